@@ -1,0 +1,43 @@
+# What every target of the project shares, and hatchway_layer(), which declares one layer of the engine.
+
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+
+add_library(hatchway_flags INTERFACE)
+target_compile_options(hatchway_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers)
+if(HATCHWAY_WARNINGS_AS_ERRORS)
+    target_compile_options(hatchway_flags INTERFACE -Werror)
+endif()
+if(HATCHWAY_SANITIZE)
+    target_compile_options(hatchway_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+                           -fno-sanitize-recover=undefined)
+    target_link_options(hatchway_flags INTERFACE -fsanitize=address,undefined)
+endif()
+target_compile_definitions(hatchway_flags INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
+target_include_directories(hatchway_flags INTERFACE "${CMAKE_SOURCE_DIR}/scenegraph")
+target_link_libraries(hatchway_flags INTERFACE glm::glm fmt::fmt)
+
+# hatchway_layer(NAME [SOURCES ...] [LIBRARIES ...] [HEAVY ...])
+#   One object library hw_NAME, linked into the shared library `hatchway`.
+#   LIBRARIES: third parties of this layer, private to it. HEAVY: headers to precompile for this layer.
+function(hatchway_layer name)
+    cmake_parse_arguments(LAYER "" "" "SOURCES;LIBRARIES;HEAVY" ${ARGN})
+    add_library(hw_${name} OBJECT ${LAYER_SOURCES})
+    target_link_libraries(hw_${name} PRIVATE hatchway_flags ${LAYER_LIBRARIES})
+    target_precompile_headers(hw_${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map>
+                              <memory> <optional> <span> <string> <string_view> <unordered_map> <vector>
+                              <glm/glm.hpp> ${LAYER_HEAVY})
+    target_link_libraries(hatchway PRIVATE hw_${name} ${LAYER_LIBRARIES})
+endfunction()
+
+# hatchway_test(LAYER SOURCES...): the test binary of one layer, its tests listed one by one in ctest.
+function(hatchway_test name)
+    cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    add_executable(test_${name} ${TEST_SOURCES})
+    target_link_libraries(test_${name} PRIVATE hatchway_flags hatchway GTest::gtest_main GTest::gmock ${TEST_LIBRARIES})
+    target_compile_definitions(test_${name} PRIVATE
+        HATCHWAY_SOURCE_DIR="${CMAKE_SOURCE_DIR}" HATCHWAY_BUILD_DIR="${CMAKE_BINARY_DIR}")
+    target_include_directories(test_${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests")
+    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+        PROPERTIES LABELS "${name};${TEST_LABELS}" TIMEOUT 300)
+endfunction()

@@ -1,0 +1,162 @@
+#include "core/files.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+class FileDescriptor {
+ public:
+    explicit FileDescriptor(int value) : value_(value) {}
+    ~FileDescriptor()
+    {
+        if (value_ >= 0) ::close(value_);
+    }
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+    int value() const { return value_; }
+
+ private:
+    int value_;
+};
+
+[[noreturn]] void throw_system_error(const fs::path& path, const std::string& doing)
+{
+    throw Error({.what = doing + ": " + std::strerror(errno), .file = path.string()});
+}
+
+std::uint64_t size_of_regular_file(int descriptor, const fs::path& path, std::uint64_t max_bytes)
+{
+    struct stat status = {};
+    if (::fstat(descriptor, &status) != 0) throw_system_error(path, "cannot read");
+    if (!S_ISREG(status.st_mode)) throw Error({.what = "is not a regular file", .file = path.string()});
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (size > max_bytes)
+        throw Error({.what = "has " + std::to_string(size) + " bytes",
+                     .file = path.string(),
+                     .expected = "at most " + std::to_string(max_bytes)});
+    return size;
+}
+
+template <typename Bytes>
+Bytes read_into(const fs::path& path, std::uint64_t max_bytes)
+{
+    // O_NONBLOCK: opening a FIFO must not wait for its writer.
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.value() < 0) throw_system_error(path, "cannot open");
+    Bytes bytes;
+    bytes.resize(size_of_regular_file(file.value(), path, max_bytes));
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::read(file.value(), bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw_system_error(path, "cannot read");
+        if (count == 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
+fs::path temporary_name_beside(const fs::path& path)
+{
+    static std::atomic<unsigned> counter{0};
+    fs::path name = path;
+    name += ".tmp" + std::to_string(::getpid()) + "_" + std::to_string(counter++);
+    return name;
+}
+
+bool is_inside(const fs::path& root, const fs::path& path)
+{
+    const auto [root_end, ignored] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
+    return root_end == root.end() || (root_end->empty() && std::next(root_end) == root.end());
+}
+
+}  // namespace
+
+std::vector<std::byte> read_file(const fs::path& path, std::uint64_t max_bytes)
+{
+    return read_into<std::vector<std::byte>>(path, max_bytes);
+}
+
+std::string read_text_file(const fs::path& path, std::uint64_t max_bytes)
+{
+    return read_into<std::string>(path, max_bytes);
+}
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes)
+{
+    const fs::path temporary = temporary_name_beside(path);
+    {
+        const FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+        if (file.value() < 0) throw_system_error(path, "cannot write");
+        std::size_t done = 0;
+        while (done < bytes.size()) {
+            const ssize_t count = ::write(file.value(), bytes.data() + done, bytes.size() - done);
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) {
+                const int reason = errno;
+                ::unlink(temporary.c_str());
+                errno = reason;
+                throw_system_error(path, "cannot write");
+            }
+            done += static_cast<std::size_t>(count);
+        }
+    }
+    if (::rename(temporary.c_str(), path.c_str()) != 0) {
+        const int reason = errno;
+        ::unlink(temporary.c_str());
+        errno = reason;
+        throw_system_error(path, "cannot write");
+    }
+}
+
+void write_file_atomically(const fs::path& path, std::string_view text)
+{
+    write_file_atomically(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+fs::path resolve_inside(const fs::path& root, const fs::path& base, std::string_view relative,
+                        const std::string& named_in, const std::string& pointer)
+{
+    const fs::path wanted{std::string(relative)};
+    const auto refuse = [&](const std::string& why) {
+        return Error({.what = "the path \"" + std::string(relative) + "\" " + why,
+                      .file = named_in,
+                      .pointer = pointer,
+                      .expected = "a relative path that stays inside the project folder " + root.string()});
+    };
+    if (relative.empty() || relative.find('\0') != std::string_view::npos) throw refuse("is no file name");
+    if (wanted.is_absolute()) throw refuse("is absolute");
+    std::error_code failed;
+    const fs::path real_root = fs::weakly_canonical(root, failed);
+    const fs::path resolved = fs::weakly_canonical(base / wanted, failed);
+    if (failed) throw refuse("cannot be resolved");
+    if (!is_inside(real_root, resolved)) throw refuse("leaves the project");
+    return resolved;
+}
+
+fs::path installation_prefix()
+{
+    Dl_info library = {};
+    std::error_code failed;
+    if (::dladdr(reinterpret_cast<const void*>(&installation_prefix), &library) != 0) {
+        // The library lies in PREFIX/lib or PREFIX/lib/<architecture>.
+        fs::path folder = fs::canonical(library.dli_fname, failed).parent_path();
+        for (; !failed && folder.has_relative_path(); folder = folder.parent_path())
+            if (fs::exists(folder / "share" / "hatchway")) return folder;
+    }
+    return fs::canonical("/proc/self/exe", failed).parent_path().parent_path();
+}
+
+}  // namespace hw

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hw {
+
+/// Reads a whole regular file. Throws hw::Error when it is missing, not a regular file (folder, FIFO, device), or larger
+/// than `max_bytes`.
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
+std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_bytes);
+
+/// Writes beside the target under a temporary name, then renames: readers see the old bytes or the new, never a part.
+/// Throws hw::Error when the folder is missing or not writable; the target is then as it was.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Resolves a path that a file names, relative to the folder `base`, and proves that it stays inside the folder `root`,
+/// symbolic links followed. Throws hw::Error for an absolute path, one that leaves `root`, or one with a NUL byte.
+/// `named_in` and `pointer` tell the message where the path stands.
+std::filesystem::path resolve_inside(const std::filesystem::path& root, const std::filesystem::path& base,
+                                     std::string_view relative, const std::string& named_in,
+                                     const std::string& pointer);
+
+/// The installation prefix (or build folder) of the running program or library: holds bin/, lib/ and share/hatchway/.
+std::filesystem::path installation_prefix();
+
+}  // namespace hw

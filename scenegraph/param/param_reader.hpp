@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "param/param_value.hpp"
+#include "param/param_visitor.hpp"
+
+namespace hw {
+
+/// Writes stated values into visited parameters. An unknown name, wrong type or value out of range throws hw::Error with
+/// the file, the pointer, what was found and what is allowed.
+class ParamReader final : public ParamVisitor {
+ public:
+    /// `file` is named in messages. `settings` must outlive the reader.
+    ParamReader(const ParamSettings& settings, std::string file);
+
+    void real(const ParamInfo& info, float& value, float min, float max) override;
+    void whole(const ParamInfo& info, int& value, int min, int max) override;
+    void flag(const ParamInfo& info, bool& value) override;
+    void colour(const ParamInfo& info, glm::vec3& value) override;
+    void choice(const ParamInfo& info, int& value, std::span<const std::string_view> names) override;
+    void map(const ParamInfo& info, MapName& value, MapKind kind) override;
+
+    /// Call after the visit: throws when a setting was not visited, naming the parameters that exist.
+    void refuse_unknown() const;
+
+ private:
+    const ParamSetting* find(const ParamInfo& info);
+    const double* number(const ParamInfo& info, double min, double max, bool whole);
+    const std::string* text(const ParamInfo& info, const std::string& expected);
+
+    const ParamSettings& settings_;
+    std::string file_;
+    std::vector<std::string> visited_;
+};
+
+/// "#rrggbb" to sRGB channels in [0, 1]; false when the text is no colour.
+bool parse_colour(const std::string& text, glm::vec3& colour);
+
+}  // namespace hw

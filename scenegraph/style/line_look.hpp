@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace hw {
+
+/// The kinds of lines a drawing has, each with its own width and colour.
+enum class LineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
+inline constexpr int kLineClassCount = 6;
+
+/// How far objects keep from turning black: lines fade once the edges of an object project closer together than this.
+struct FarPolicy {
+    bool is_on = true;
+    float full_spacing_px = 6.0f;  ///< Mean projected edge length from which lines are drawn in full.
+    float none_spacing_px = 1.0f;  ///< ... and below which they are gone, the silhouette apart.
+};
+
+/// How lines are drawn. Widths are logical pixels.
+struct LineLook {
+    std::array<float, kLineClassCount> width_px{1.5f, 1.2f, 1.2f, 1.5f, 1.2f, 1.2f};
+    std::array<glm::vec3, kLineClassCount> colour{};  ///< sRGB
+    std::array<bool, kLineClassCount> is_drawn{true, true, true, true, true, true};
+    float crease_rad = 0.7f;      ///< Must not exceed EdgeNeed's: the prefix of the edge table that is drawn.
+    float depth_taper = 0.0f;     ///< 0: constant width; 1: width falls as 1 / distance beyond `taper_from_m`.
+    float taper_from_m = 10.0f;
+    FarPolicy far;
+};
+
+}  // namespace hw

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "param/param_value.hpp"
+#include "param/param_visitor.hpp"
+
+namespace hw {
+
+/// Object-space edges that a style draws or reads. Adjacency is built only for objects whose style asks for it.
+struct EdgeNeed {
+    float crease_rad = 0.7f;     ///< Edges folded by more are creases.
+    bool silhouettes = true;     ///< The contour candidates that are silhouettes from this eye, anew each frame.
+    bool intersections = false;  ///< Lines where objects cut each other.
+};
+
+/// Extra vertex streams. `hatch_uv` is made (box projection) where the model has no texture coordinates.
+struct Streams {
+    bool tangent = false;
+    bool hatch_uv = false;
+    bool direction = false;   ///< Principal direction, object space.
+    bool arc_length = false;  ///< Along lines, object space, metres.
+};
+
+enum class ShadowNeed : unsigned char { none, main_light };
+
+/// Names one full-screen image: the image pass that makes it and the parameters it is made with. Equal keys are made once
+/// a frame. "normal_depth", "object_ids" and "triangle_ids" are made by the engine itself.
+struct ImageKey {
+    std::string pass;
+    std::map<std::string, ParamValue> params;
+    auto operator<=>(const ImageKey&) const = default;
+};
+
+/// What a style reads. Depends on its parameters alone. A frame makes the union over visible objects' styles, no more.
+struct Needs {
+    std::optional<EdgeNeed> edges;
+    Streams streams;
+    ShadowNeed shadow = ShadowNeed::none;
+    bool lightmap = false;
+    std::vector<ImageKey> images;
+    std::map<MapKind, MapName> maps;  ///< Maps of the style, for objects to which the level assigns none of that kind.
+};
+
+}  // namespace hw

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "param/param_value.hpp"
+#include "world/presence.hpp"
+#include "world/scene.hpp"
+
+namespace hw {
+
+/// A named style of the level: a plugin and its stated parameters, not yet checked against the plugin.
+struct StyleDesc {
+    std::string plugin;
+    ParamSettings params;
+    std::string pointer;  ///< JSON pointer of the style, for messages.
+};
+
+/// One entry of "assign". Later entries win, each for the keys that it states.
+struct AssignRule {
+    std::string nodes;      ///< Path glob, or "#12": a node by index; it reaches the node's children too. Empty: all.
+    std::string materials;  ///< Glob over material names. Empty: all.
+    std::optional<std::string> style;
+    std::optional<std::string> over;         ///< A second style drawn over the first with `presence`.
+    std::optional<PresenceField> presence;   ///< Of `over`; the first style keeps the rest.
+    std::optional<double> certainty;
+    std::map<std::string, std::string> maps;  ///< "hatch", "ink", "tonal" -> path relative to the level file.
+    std::optional<bool> collides;
+    std::string pointer;
+};
+
+/// "certainty_styles": the style of an object of at least this certainty; the largest that fits wins.
+struct CertaintyStyle {
+    double from = 0.0;
+    std::string style;
+};
+
+struct PathKey {
+    double t_s = 0.0;
+    glm::dvec3 position{0.0};
+    glm::dvec3 look_at{0.0};
+};
+
+/// A camera path. Catmull-Rom in position, slerp in direction.
+struct CameraPath {
+    double fps = 25.0;
+    double fov_deg = 60.0;
+    std::vector<PathKey> keys;  ///< At least one, times strictly rising.
+};
+
+struct StartPlace {
+    glm::dvec3 position{0.0, 1.7, 5.0};
+    glm::dvec3 look_at{0.0, 1.5, 0.0};
+};
+
+/// A level file as read: everything but the model. A bare model gives one with defaults.
+struct Level {
+    std::filesystem::path file;          ///< The level file, or the bare model.
+    std::filesystem::path project_root;  ///< No path of the level leaves this folder.
+    std::filesystem::path scene_file;
+    std::optional<StartPlace> start;
+    std::optional<double> exposure_ev;                 ///< Absent: chosen from the lights.
+    std::optional<glm::vec3> background;               ///< sRGB; absent: paper.
+    std::optional<std::vector<std::string>> structure; ///< Path globs; absent: chosen automatically.
+    std::map<std::string, StyleDesc> styles;
+    std::vector<AssignRule> assign;
+    std::vector<CertaintyStyle> certainty_styles;
+    std::map<std::string, Camera> cameras;
+    std::map<std::string, CameraPath> paths;
+    std::vector<Light> lights;  ///< Added to the model's.
+    bool is_sealed = false;
+};
+
+/// What the rules say of one object once all have been applied.
+struct ObjectLook {
+    std::string style;                 ///< A style of the level, or a plugin's name. Never empty.
+    std::string style_pointer;         ///< Where it was said.
+    std::string over;                  ///< Empty: none.
+    PresenceField presence;            ///< Of `over`.
+    double certainty = 1.0;
+    std::map<std::string, std::string> maps;  ///< kind -> path relative to the level file.
+    bool collides = true;
+};
+
+/// Applies the model's extras, then "assign" from first to last, then the certainty table where no style was said, then
+/// `fallback_style`. One look for each object. Linear in rules x nodes. Throws hw::Error for a rule that names a node
+/// by an index that does not exist.
+std::vector<ObjectLook> resolve_looks(const Level& level, const Scene& scene, const std::string& fallback_style);
+
+}  // namespace hw

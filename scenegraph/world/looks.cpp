@@ -1,0 +1,101 @@
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/glob.hpp"
+#include "world/level.hpp"
+
+namespace hw {
+namespace {
+
+/// "#12" as a node index; kNone when the glob is none.
+int node_index_of(const AssignRule& rule, const Level& level, std::size_t node_count)
+{
+    if (rule.nodes.empty() || rule.nodes[0] != '#') return kNone;
+    std::size_t index = 0;
+    const char* end = rule.nodes.data() + rule.nodes.size();
+    const auto [stop, status] = std::from_chars(rule.nodes.data() + 1, end, index);
+    if (status == std::errc() && stop == end && index < node_count) return static_cast<int>(index);
+    throw Error({.what = "there is no node \"" + rule.nodes + '"',
+                 .file = level.file.string(),
+                 .pointer = rule.pointer + "/nodes",
+                 .expected = "a path glob, or # and an index below " + std::to_string(node_count)});
+}
+
+/// For every node, whether the rule names it or one of its parents.
+std::vector<char> reached_nodes(const AssignRule& rule, const Level& level, const Scene& scene)
+{
+    std::vector<char> reached(scene.nodes.size(), rule.nodes.empty() ? 1 : 0);
+    if (rule.nodes.empty()) return reached;
+    const int index = node_index_of(rule, level, scene.nodes.size());
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        const bool is_named = index == kNone ? glob_matches(rule.nodes, node.path) : index == static_cast<int>(i);
+        reached[i] = is_named || (node.parent != kNone && reached[node.parent]);
+    }
+    return reached;
+}
+
+void apply(const AssignRule& rule, ObjectLook& look)
+{
+    if (rule.style) {
+        look.style = *rule.style;
+        look.style_pointer = rule.pointer + "/style";
+        look.over.clear();
+    }
+    if (rule.over) look.over = *rule.over;
+    if (rule.presence) look.presence = *rule.presence;
+    if (rule.certainty) look.certainty = *rule.certainty;
+    if (rule.collides) look.collides = *rule.collides;
+    for (const auto& [kind, path] : rule.maps) look.maps[kind] = path;
+}
+
+void apply_extras(const Scene& scene, std::vector<ObjectLook>& looks)
+{
+    std::vector<const std::string*> style(scene.nodes.size(), nullptr);
+    std::vector<const float*> certainty(scene.nodes.size(), nullptr);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        style[i] = node.style ? &*node.style : node.parent == kNone ? nullptr : style[node.parent];
+        certainty[i] = node.certainty ? &*node.certainty : node.parent == kNone ? nullptr : certainty[node.parent];
+    }
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const int node = scene.objects[i].node;
+        if (style[node]) {
+            looks[i].style = *style[node];
+            looks[i].style_pointer = scene.file + "/nodes/" + std::to_string(node) + "/extras/hatchway/style";
+        }
+        if (certainty[node]) looks[i].certainty = *certainty[node];
+    }
+}
+
+void apply_certainty_table(const Level& level, ObjectLook& look)
+{
+    const CertaintyStyle* best = nullptr;
+    for (const CertaintyStyle& entry : level.certainty_styles)
+        if (look.certainty >= entry.from && (!best || entry.from > best->from)) best = &entry;
+    if (best) look.style = best->style;
+}
+
+}  // namespace
+
+std::vector<ObjectLook> resolve_looks(const Level& level, const Scene& scene, const std::string& fallback_style)
+{
+    std::vector<ObjectLook> looks(scene.objects.size());
+    apply_extras(scene, looks);
+    for (const AssignRule& rule : level.assign) {
+        const std::vector<char> reached = reached_nodes(rule, level, scene);
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            const Object& object = scene.objects[i];
+            const std::string& material = scene.materials[object.material].name;
+            if (reached[object.node] && (rule.materials.empty() || glob_matches(rule.materials, material)))
+                apply(rule, looks[i]);
+        }
+    }
+    for (ObjectLook& look : looks) {
+        if (look.style.empty()) apply_certainty_table(level, look);
+        if (look.style.empty()) look.style = fallback_style;
+    }
+    return looks;
+}
+
+}  // namespace hw

@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "world/level.hpp"
+
+namespace {
+
+hw::Scene two_columns_in_a_hall()
+{
+    hw::Scene scene;
+    scene.nodes.resize(3);
+    scene.nodes[0].path = "Hall";
+    scene.nodes[1] = {.name = "Column_01", .path = "Hall/Column_01", .parent = 0};
+    scene.nodes[2] = {.name = "Column_02", .path = "Hall/Column_02", .parent = 0};
+    scene.materials.resize(1);
+    scene.meshes.resize(1);
+    scene.objects = {{.node = 1, .mesh = 0, .material = 0}, {.node = 2, .mesh = 0, .material = 0}};
+    return scene;
+}
+
+}  // namespace
+
+TEST(looks, the_last_rule_that_fits_wins)
+{
+    hw::Level level;
+    level.assign = {{.nodes = "*", .style = "assumed"}, {.nodes = "Hall/Column_02", .style = "excavated"}};
+    const auto looks = hw::resolve_looks(level, two_columns_in_a_hall(), "pen_and_ink");
+    EXPECT_EQ(looks[0].style, "assumed");
+    EXPECT_EQ(looks[1].style, "excavated");
+}
+
+TEST(looks, a_rule_reaches_the_children_of_the_node_that_it_names)
+{
+    hw::Level level;
+    level.assign = {{.nodes = "Hall", .style = "assumed"}};
+    EXPECT_EQ(hw::resolve_looks(level, two_columns_in_a_hall(), "photoreal")[1].style, "assumed");
+}
+
+TEST(looks, without_a_rule_the_certainty_table_decides)
+{
+    hw::Level level;
+    level.certainty_styles = {{0.0, "assumed"}, {0.8, "excavated"}};
+    level.assign = {{.nodes = "Hall/Column_01", .certainty = 0.3}};
+    const auto looks = hw::resolve_looks(level, two_columns_in_a_hall(), "photoreal");
+    EXPECT_EQ(looks[0].style, "assumed");
+    EXPECT_EQ(looks[1].style, "excavated");
+}
