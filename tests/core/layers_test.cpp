@@ -1,0 +1,197 @@
+// Reads every #include line of the engine, the styles and the tools, and fails on one that looks upwards, that shows a
+// third party in a header, or that uses a third party outside of its one place.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+namespace fs = std::filesystem;
+
+const fs::path kRoot = HATCHWAY_SOURCE_DIR;
+
+/// What each layer may include beside itself.
+const std::map<std::string, std::set<std::string>> kAllowed{
+    {"core", {}},
+    {"param", {"core"}},
+    {"geometry", {"core"}},
+    {"world", {"core", "param", "geometry"}},
+    {"io", {"core", "param", "geometry", "world"}},
+    {"style", {"core", "param", "geometry", "world"}},
+    {"gl", {"core"}},
+    {"render", {"core", "param", "geometry", "world", "style", "gl"}},
+    {"plugin_host", {"core", "param", "geometry", "world", "style", "gl", "render"}},
+    {"walk", {"core", "param", "geometry", "world", "io", "style", "gl", "render", "plugin_host"}},
+};
+
+/// A third party and the sources that may include it.
+struct ThirdParty {
+    std::string include_starts_with;
+    std::regex allowed_in;
+};
+const std::vector<ThirdParty> kThirdParties{
+    {"tiny_gltf", std::regex(R"(scenegraph/io/[^/]*\.cpp)")},
+    {"nlohmann/", std::regex(R"((scenegraph/io|tests/.*)/[^/]*\.cpp)")},
+    {"flatbuffers/", std::regex(R"(scenegraph/io/[^/]*\.cpp)")},
+    {"png.h", std::regex(R"(scenegraph/io/[^/]*\.cpp)")},
+    {"jpeglib.h", std::regex(R"(scenegraph/io/[^/]*\.cpp)")},
+    {"OpenMesh/", std::regex(R"(scenegraph/geometry/[^/]*\.cpp)")},
+    {"GLFW/", std::regex(R"(scenegraph/gl/[^/]*\.cpp)")},
+    {"EGL/", std::regex(R"(scenegraph/gl/[^/]*\.cpp)")},
+    {"epoxy/", std::regex(R"((scenegraph/gl|tests/gl)/[^/]*\.cpp)")},
+    {"GL/", std::regex("none")},
+    {"spdlog/", std::regex(R"(scenegraph/core/[^/]*\.cpp)")},
+    {"dlfcn.h", std::regex(R"(scenegraph/(core|plugin_host)/[^/]*\.cpp|tests/.*)")},
+    {"embree", std::regex(R"(scenegraph/world/[^/]*\.cpp|tests/.*)")},
+    {"tbb/", std::regex(R"(scenegraph/[^/]*/[^/]*\.cpp)")},
+    {"CLI/", std::regex(R"(editor_tools/.*)")},
+    {"gmp", std::regex(R"(tests/.*|editor_tools/measure/.*)")},
+};
+
+struct Include {
+    std::string file;  ///< Of the including file, relative to the source folder.
+    std::string name;
+    bool is_ours = false;  ///< In quotation marks.
+};
+
+std::vector<Include> includes_of(const fs::path& file)
+{
+    static const std::regex kInclude(R"re(^\s*#\s*include\s*(["<])([^">]+)[">].*)re");
+    std::vector<Include> found;
+    std::ifstream stream(kRoot / file);
+    std::smatch match;
+    for (std::string line; std::getline(stream, line);)
+        if (std::regex_match(line, match, kInclude)) found.push_back({file.string(), match[2], match[1] == "\""});
+    return found;
+}
+
+std::vector<Include> includes_below(const std::vector<std::string>& folders)
+{
+    static const std::set<std::string> kExtensions{".hpp", ".cpp", ".h"};
+    std::vector<Include> found;
+    for (const std::string& folder : folders) {
+        if (!fs::exists(kRoot / folder)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+            if (!entry.is_regular_file() || !kExtensions.contains(entry.path().extension())) continue;
+            const std::vector<Include> more = includes_of(fs::relative(entry.path(), kRoot));
+            found.insert(found.end(), more.begin(), more.end());
+        }
+    }
+    return found;
+}
+
+/// What a style may see: style/style.hpp and everything that it includes.
+std::set<std::string> style_headers()
+{
+    std::set<std::string> seen;
+    std::vector<std::string> open{"style/style.hpp"};
+    while (!open.empty()) {
+        const std::string header = open.back();
+        open.pop_back();
+        if (!seen.insert(header).second) continue;
+        for (const Include& include : includes_of(fs::path("scenegraph") / header))
+            if (include.is_ours) open.push_back(include.name);
+    }
+    return seen;
+}
+
+bool is_header(const std::string& file) { return file.ends_with(".hpp") || file.ends_with(".h"); }
+
+std::string first_folder(const std::string& path) { return path.substr(0, path.find('/')); }
+
+/// Why the include is forbidden; empty when it is allowed.
+std::string objection_to(const Include& include)
+{
+    const auto refuse = [&](const std::string& why) { return include.file + " includes " + include.name + ": " + why; };
+    for (const ThirdParty& party : kThirdParties)
+        if (include.name.starts_with(party.include_starts_with) && !std::regex_match(include.file, party.allowed_in))
+            return refuse("that library stays in one place");
+
+    const std::string top = first_folder(include.file);
+    if (top == "npr_plugins" && include.is_ours) {
+        static const std::set<std::string> kSeen = style_headers();
+        if (include.name.find('/') != std::string::npos && !kSeen.contains(include.name))
+            return refuse("a style sees style/style.hpp and what it includes");
+    }
+    if (top != "scenegraph") return {};
+
+    const std::string layer = first_folder(include.file.substr(top.size() + 1));
+    const auto allowed = kAllowed.find(layer);
+    if (allowed == kAllowed.end()) return refuse(layer + " is no layer");
+    if (include.is_ours) {
+        const std::string other = first_folder(include.name);
+        if (other != layer && !allowed->second.contains(other)) return refuse(layer + " may not look at " + other);
+    }
+    const bool touches_files = include.name == "core/files.hpp" || include.name == "fstream";
+    if (touches_files && (layer == "geometry" || layer == "world")) return refuse(layer + " reads no files");
+    if (is_header(include.file) && !include.is_ours && include.name.find('.') != std::string::npos &&
+        !include.name.starts_with("glm/"))
+        return refuse("headers of the engine show GLM and the standard library only");
+    return {};
+}
+
+std::string objections_below(const std::vector<std::string>& folders)
+{
+    std::string all;
+    for (const Include& include : includes_below(folders))
+        if (const std::string objection = objection_to(include); !objection.empty()) all += objection + '\n';
+    return all;
+}
+
+}  // namespace
+
+TEST(layers, no_file_of_the_engine_looks_upwards) { EXPECT_EQ(objections_below({"scenegraph"}), ""); }
+
+TEST(layers, styles_see_the_style_interface_only) { EXPECT_EQ(objections_below({"npr_plugins"}), ""); }
+
+TEST(layers, tools_and_tests_leave_third_parties_in_their_places)
+{
+    EXPECT_EQ(objections_below({"editor_tools", "tests"}), "");
+}
+
+TEST(layers, the_check_reads_includes_at_all)
+{
+    const std::vector<Include> found = includes_below({"scenegraph"});
+    EXPECT_GT(found.size(), 100u);
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const Include& include) { return include.is_ours; }));
+    EXPECT_TRUE(style_headers().contains("param/param_visitor.hpp"));
+}
+
+TEST(layers, each_forbidden_include_is_refused)
+{
+    const std::vector<Include> forbidden{
+        {"scenegraph/world/bsp.cpp", "io/level_file.hpp", true},
+        {"scenegraph/style/pass.hpp", "render/frame.hpp", true},
+        {"scenegraph/gl/context.hpp", "world/scene.hpp", true},
+        {"scenegraph/io/level_file.hpp", "nlohmann/json.hpp", false},
+        {"scenegraph/gl/context.hpp", "GLFW/glfw3.h", false},
+        {"scenegraph/render/frame.cpp", "epoxy/gl.h", false},
+        {"scenegraph/core/log.hpp", "spdlog/spdlog.h", false},
+        {"scenegraph/core/text.hpp", "fmt/format.h", false},
+        {"scenegraph/world/lightmap.cpp", "core/files.hpp", true},
+        {"scenegraph/extra/a.cpp", "core/box.hpp", true},
+        {"npr_plugins/hybrid/hybrid.cpp", "gl/program.hpp", true},
+        {"editor_tools/hatchway/main.cpp", "nlohmann/json.hpp", false},
+    };
+    for (const Include& include : forbidden) EXPECT_NE(objection_to(include), "") << include.file << ' ' << include.name;
+}
+
+TEST(layers, each_allowed_include_is_accepted)
+{
+    const std::vector<Include> allowed{
+        {"scenegraph/io/level_file.cpp", "nlohmann/json.hpp", false},
+        {"scenegraph/gl/window.cpp", "GLFW/glfw3.h", false},
+        {"scenegraph/walk/stage.cpp", "io/level_file.hpp", true},
+        {"scenegraph/render/frame.hpp", "style/style.hpp", true},
+        {"scenegraph/world/scene.hpp", "glm/mat4x4.hpp", false},
+        {"npr_plugins/hybrid/hybrid.cpp", "style/style.hpp", true},
+        {"editor_tools/hatchway/main.cpp", "CLI/CLI.hpp", false},
+    };
+    for (const Include& include : allowed) EXPECT_EQ(objection_to(include), "");
+}
