@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+namespace hw {
+
+/// Text over the picture, in a fixed 8 x 16 font. '\n' starts a new line; characters outside of ASCII show as '?'.
+struct OverlayText {
+    glm::vec2 position_px{8.0f};  ///< Logical pixels from the top left corner; negative: from the right or bottom edge.
+    std::string text;
+    glm::vec4 colour{1.0f, 1.0f, 1.0f, 1.0f};  ///< sRGB and alpha.
+    glm::vec4 background{0.0f, 0.0f, 0.0f, 0.6f};
+};
+
+/// What is drawn over a finished picture.
+struct Overlay {
+    std::vector<OverlayText> texts;
+    bool has_cross_hair = false;
+};
+
+}  // namespace hw

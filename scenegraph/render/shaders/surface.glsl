@@ -1,0 +1,261 @@
+// The fragment side of passes over objects' faces. A style's fragment shader includes this file, then:
+//
+//     void main()
+//     {
+//         HwSurface surface = hw_surface();
+//         HwMaterial material = hw_material(surface);      // discards what an alpha mask cuts out
+//         hw_output(material.base_colour, material.alpha);
+//     }
+//
+// The host compiles a program once for each combination of material features that the scene has, by defines:
+//   HW_HAS_UV0 HW_HAS_UV1 HW_HAS_TANGENTS HW_HAS_COLOURS          vertex streams of the mesh
+//   HW_BASE_COLOUR_MAP HW_METALLIC_ROUGHNESS_MAP HW_NORMAL_MAP HW_OCCLUSION_MAP HW_EMISSIVE_MAP   textures of the material
+//   HW_ALPHA_MASK HW_ALPHA_BLEND HW_DOUBLE_SIDED HW_UNLIT          other features of the material
+//   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP                           the object has a map of that kind: hw_hatch_map ...
+//   HW_PRESENCE                                                    presence is not 1 everywhere
+//   HW_SHADOW                                                      the main light has a shadow map (shadow.glsl)
+//   HW_LIGHT_COUNT n                                               always: lights of the scene, 0 to 8
+#include "frame.glsl"
+
+layout(location = 0) out vec4 hw_fragment;
+
+in vec3 hw_v_position_object;
+in vec3 hw_v_position_relative;
+in vec3 hw_v_normal_object;
+in vec3 hw_v_normal_world;
+#ifdef HW_HAS_TANGENTS
+in vec4 hw_v_tangent_world;
+#endif
+#ifdef HW_HAS_UV0
+in vec2 hw_v_uv0;
+#endif
+#ifdef HW_HAS_UV1
+in vec2 hw_v_uv1;
+#endif
+#ifdef HW_HAS_COLOURS
+in vec4 hw_v_colour;
+#endif
+
+uniform float hw_certainty;         // of the level, in [0, 1]
+uniform float hw_facing;            // -1 where the transform or the view mirrors, else 1
+uniform vec2 hw_hatch_scale;        // metres per unit of uv0, and per unit of object space
+uniform vec4 hw_base_colour_factor;
+uniform vec4 hw_material_factors;   // metallic, roughness, alpha cutoff, occlusion strength
+uniform vec4 hw_emissive_normal;    // emissive rgb, normal scale
+uniform vec4 hw_presence_height;    // constant, from_m, to_m, 1 when the constant is ramped by height; time is in the constant
+uniform float hw_presence_inverted; // 1: this style shows 1 - presence
+#ifdef HW_BASE_COLOUR_MAP
+uniform sampler2D hw_base_colour_map;
+uniform mat3 hw_base_colour_uv;
+#endif
+#ifdef HW_METALLIC_ROUGHNESS_MAP
+uniform sampler2D hw_metallic_roughness_map;
+uniform mat3 hw_metallic_roughness_uv;
+#endif
+#ifdef HW_NORMAL_MAP
+uniform sampler2D hw_normal_map;
+uniform mat3 hw_normal_uv;
+#endif
+#ifdef HW_OCCLUSION_MAP
+uniform sampler2D hw_occlusion_map;
+uniform mat3 hw_occlusion_uv;
+#endif
+#ifdef HW_EMISSIVE_MAP
+uniform sampler2D hw_emissive_map;
+uniform mat3 hw_emissive_uv;
+#endif
+#ifdef HW_HATCH_MAP
+uniform sampler2D hw_hatch_map;  // R: ink coverage, linear; levels as their maker filled them
+#endif
+#ifdef HW_INK_MAP
+uniform sampler2D hw_ink_map;
+#endif
+#ifdef HW_TONAL_MAP
+uniform sampler2D hw_tonal_map;  // tones stacked from top (light) to bottom (dark), hw_tonal_count of them
+#endif
+uniform vec3 hw_map_levels;      // number of levels of the hatch, ink and tonal map
+uniform float hw_tonal_count;
+
+struct HwSurface {
+    vec3 position_world;
+    vec3 position_object;
+    vec3 normal_world;    // unit, interpolated; looks towards the eye when the material is double-sided
+    vec3 normal_object;   // unit
+    vec3 face_normal_world;  // unit, of the triangle, towards the eye
+    vec2 uv0;             // 0 where the mesh has none
+    vec2 uv1;
+    vec2 hatch_uv;        // about metres: uv0 scaled, or box-projected object space where the mesh has no uv0
+    vec2 hatch_uv_dx;     // derivatives of hatch_uv along the picture's x and y, free of the jumps of box projection
+    vec2 hatch_uv_dy;
+    vec4 colour;          // of the vertex, linear; 1 where the mesh has none
+    vec3 to_eye_world;    // unit
+    float distance_m;     // from the eye
+};
+
+struct HwMaterial {
+    vec3 base_colour;     // linear
+    float alpha;          // 1 unless blended
+    float metallic;
+    float roughness;      // perceptual, as the model states it
+    vec3 emissive;        // linear
+    float occlusion;      // 1: open
+    vec3 normal_world;    // unit, with the normal map
+};
+
+// Picks the axis of box projection. The slight preference decides 45 degree faces the same way in all of their pixels.
+void hw_box_projection(inout HwSurface s)
+{
+    vec3 p = s.position_object * hw_hatch_scale.y;
+    vec3 dx = dFdx(p);
+    vec3 dy = dFdy(p);
+    vec3 n = abs(s.normal_object) * vec3(1.0, 1.02, 1.01);
+    if (n.y >= n.x && n.y >= n.z) {
+        s.hatch_uv = p.xz;
+        s.hatch_uv_dx = dx.xz;
+        s.hatch_uv_dy = dy.xz;
+    } else if (n.z >= n.x) {
+        s.hatch_uv = p.xy;
+        s.hatch_uv_dx = dx.xy;
+        s.hatch_uv_dy = dy.xy;
+    } else {
+        s.hatch_uv = p.zy;
+        s.hatch_uv_dx = dx.zy;
+        s.hatch_uv_dy = dy.zy;
+    }
+}
+
+HwSurface hw_surface()
+{
+    HwSurface s;
+    s.position_object = hw_v_position_object;
+    s.position_world = hw_v_position_relative + hw_eye_world;
+    s.distance_m = length(hw_v_position_relative);
+    s.to_eye_world = -hw_v_position_relative / max(s.distance_m, 1e-20);
+    float side = 1.0;
+#ifdef HW_DOUBLE_SIDED
+    side = gl_FrontFacing ? 1.0 : -1.0;
+#endif
+    s.normal_world = side * normalize(hw_v_normal_world);
+    s.normal_object = normalize(hw_v_normal_object);
+    vec3 face = cross(dFdx(hw_v_position_relative), dFdy(hw_v_position_relative));
+    s.face_normal_world = normalize(dot(face, hw_v_position_relative) > 0.0 ? -face : face);
+#ifdef HW_HAS_COLOURS
+    s.colour = hw_v_colour;
+#else
+    s.colour = vec4(1.0);
+#endif
+#ifdef HW_HAS_UV1
+    s.uv1 = hw_v_uv1;
+#else
+    s.uv1 = vec2(0.0);
+#endif
+#ifdef HW_HAS_UV0
+    s.uv0 = hw_v_uv0;
+    s.hatch_uv = hw_v_uv0 * hw_hatch_scale.x;
+    s.hatch_uv_dx = dFdx(s.hatch_uv);
+    s.hatch_uv_dy = dFdy(s.hatch_uv);
+#else
+    s.uv0 = vec2(0.0);
+    hw_box_projection(s);
+#endif
+    return s;
+}
+
+vec2 hw_uv_of(HwSurface s, mat3 transform, float set)
+{
+    return (transform * vec3(set > 0.5 ? s.uv1 : s.uv0, 1.0)).xy;
+}
+
+// HW_..._MAP is 1 for uv0 and 2 for uv1.
+#define HW_MAP_UV(s, which, transform) hw_uv_of(s, transform, which == 2 ? 1.0 : 0.0)
+
+vec3 hw_mapped_normal(HwSurface s)
+{
+#ifdef HW_NORMAL_MAP
+    vec2 uv = HW_MAP_UV(s, HW_NORMAL_MAP, hw_normal_uv);
+    vec3 n = texture(hw_normal_map, uv).xyz * 2.0 - 1.0;
+    n.xy *= hw_emissive_normal.w;
+#ifdef HW_HAS_TANGENTS
+    vec3 tangent = hw_v_tangent_world.xyz - s.normal_world * dot(s.normal_world, hw_v_tangent_world.xyz);
+    vec3 bitangent = cross(s.normal_world, tangent) * hw_v_tangent_world.w * hw_facing;
+#ifdef HW_DOUBLE_SIDED
+    bitangent *= gl_FrontFacing ? 1.0 : -1.0;
+#endif
+#else
+    // Without tangents of the model: from derivatives, as of Mikkelsen 2010.
+    vec3 dpx = dFdx(hw_v_position_relative);
+    vec3 dpy = dFdy(hw_v_position_relative);
+    vec2 dux = dFdx(uv);
+    vec2 duy = dFdy(uv);
+    vec3 rx = cross(dpy, s.normal_world);
+    vec3 ry = cross(s.normal_world, dpx);
+    float facing = dot(dpx, rx) < 0.0 ? -1.0 : 1.0;
+    vec3 tangent = facing * (rx * dux.x + ry * duy.x);
+    vec3 bitangent = facing * (rx * dux.y + ry * duy.y);
+#endif
+    float longest = max(dot(tangent, tangent), dot(bitangent, bitangent));
+    float scale = longest > 0.0 ? inversesqrt(longest) : 0.0;
+    return normalize(tangent * scale * n.x + bitangent * scale * n.y + s.normal_world * n.z);
+#else
+    return s.normal_world;
+#endif
+}
+
+// The material here, its textures applied. Discards what an alpha mask cuts out.
+HwMaterial hw_material(HwSurface s)
+{
+    HwMaterial m;
+    vec4 base = hw_base_colour_factor * s.colour;
+#ifdef HW_BASE_COLOUR_MAP
+    base *= texture(hw_base_colour_map, HW_MAP_UV(s, HW_BASE_COLOUR_MAP, hw_base_colour_uv));
+#endif
+    m.alpha = 1.0;
+#ifdef HW_ALPHA_MASK
+    if (base.a < hw_material_factors.z) discard;
+#endif
+#ifdef HW_ALPHA_BLEND
+    m.alpha = base.a;
+#endif
+    m.base_colour = base.rgb;
+    m.metallic = hw_material_factors.x;
+    m.roughness = hw_material_factors.y;
+#ifdef HW_METALLIC_ROUGHNESS_MAP
+    vec4 mr = texture(hw_metallic_roughness_map, HW_MAP_UV(s, HW_METALLIC_ROUGHNESS_MAP, hw_metallic_roughness_uv));
+    m.metallic *= mr.b;
+    m.roughness *= mr.g;
+#endif
+    m.emissive = hw_emissive_normal.rgb;
+#ifdef HW_EMISSIVE_MAP
+    m.emissive *= texture(hw_emissive_map, HW_MAP_UV(s, HW_EMISSIVE_MAP, hw_emissive_uv)).rgb;
+#endif
+    m.occlusion = 1.0;
+#ifdef HW_OCCLUSION_MAP
+    float open = texture(hw_occlusion_map, HW_MAP_UV(s, HW_OCCLUSION_MAP, hw_occlusion_uv)).r;
+    m.occlusion = 1.0 + hw_material_factors.w * (open - 1.0);
+#endif
+    m.normal_world = hw_mapped_normal(s);
+    return m;
+}
+
+// How much this style shows here, in [0, 1]. Two styles of one object show presence and 1 - presence.
+float hw_presence(HwSurface s)
+{
+#ifdef HW_PRESENCE
+    float presence = hw_presence_height.x;
+    if (hw_presence_height.w > 0.5) {
+        float width = hw_presence_height.z - hw_presence_height.y;
+        float at = clamp((s.position_world.y - hw_presence_height.y) / (abs(width) < 1e-6 ? 1e-6 : width), 0.0, 1.0);
+        presence *= at * at * (3.0 - 2.0 * at);
+    }
+    return hw_presence_inverted > 0.5 ? 1.0 - presence : presence;
+#else
+    return 1.0;
+#endif
+}
+
+// The colour of this fragment, linear, 1 is paper white. The host turns alpha into blending: of blended materials, and of
+// a style that lies over another by its presence.
+void hw_output(vec3 colour_linear, float alpha)
+{
+    hw_fragment = vec4(colour_linear, alpha);
+}

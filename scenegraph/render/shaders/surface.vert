@@ -1,0 +1,50 @@
+// The engine's vertex stage of every pass over objects' faces. Styles bring the fragment stage: see surface.glsl.
+#include "frame.glsl"
+#include "position.glsl"
+
+in vec3 hw_in_position;
+in vec3 hw_in_normal;
+out vec3 hw_v_position_object;
+out vec3 hw_v_position_relative;  // world, as seen from the eye: keeps its precision far from the origin
+out vec3 hw_v_normal_object;
+out vec3 hw_v_normal_world;
+#ifdef HW_HAS_TANGENTS
+in vec4 hw_in_tangent;
+out vec4 hw_v_tangent_world;
+#endif
+#ifdef HW_HAS_UV0
+in vec2 hw_in_uv0;
+out vec2 hw_v_uv0;
+#endif
+#ifdef HW_HAS_UV1
+in vec2 hw_in_uv1;
+out vec2 hw_v_uv1;
+#endif
+#ifdef HW_HAS_COLOURS
+in vec4 hw_in_colour;
+out vec4 hw_v_colour;
+#endif
+
+uniform mat4 hw_relative_from_object;  // world relative to the eye, from object
+uniform mat3 hw_normal_from_object;
+
+void main()
+{
+    hw_set_position(hw_in_position);
+    hw_v_position_object = hw_in_position;
+    hw_v_position_relative = (hw_relative_from_object * vec4(hw_in_position, 1.0)).xyz;
+    hw_v_normal_object = hw_in_normal;
+    hw_v_normal_world = hw_normal_from_object * hw_in_normal;
+#ifdef HW_HAS_TANGENTS
+    hw_v_tangent_world = vec4(mat3(hw_relative_from_object) * hw_in_tangent.xyz, hw_in_tangent.w);
+#endif
+#ifdef HW_HAS_UV0
+    hw_v_uv0 = hw_in_uv0;
+#endif
+#ifdef HW_HAS_UV1
+    hw_v_uv1 = hw_in_uv1;
+#endif
+#ifdef HW_HAS_COLOURS
+    hw_v_colour = hw_in_colour;
+#endif
+}
