@@ -4,17 +4,22 @@
 #include <span>
 #include <string>
 
+#include "world/presence.hpp"
+
 namespace hw {
 
-/// A style given to nodes while walking.
+/// A style given to nodes, or to one material on them, while walking.
 struct StyleAssignment {
     std::string nodes;  ///< As AssignRule::nodes: a path glob or "#12".
     std::string style;
+    std::string materials = {};   ///< As AssignRule::materials: a glob; empty: all, and no such key is written.
+    std::string over = {};        ///< A second style over the first; empty: none, and no such key is written.
+    PresenceField presence = {};  ///< Of `over`; written with it.
 };
 
 /// The text of a level file with assignments added at the end of "assign", where they win over all others. Comments and
-/// layout stay. "assign" is made when it is missing; an entry that an earlier call added for the same nodes is
-/// replaced. `file` stands in messages. Throws hw::Error when the text is not a level.
+/// layout stay. "assign" is made when it is missing; an entry that an earlier call added for the same nodes
+/// and materials is replaced. `file` stands in messages. Throws hw::Error when the text is not a level.
 std::string with_assignments(std::string text, std::span<const StyleAssignment> assignments,
                              const std::filesystem::path& file);
 
