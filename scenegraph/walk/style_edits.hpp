@@ -1,0 +1,69 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "world/level.hpp"
+
+namespace hw {
+
+/// The part of an object's look that an author changes while walking.
+struct StyleChoice {
+    std::string style;
+    std::string over;        ///< Empty: none.
+    PresenceField presence;  ///< Of `over`.
+
+    bool operator==(const StyleChoice& other) const;
+};
+
+/// One step of the author. Undoing goes back to `before`.
+struct StyleEdit {
+    ObjectId object = 0;
+    StyleChoice before;
+    StyleChoice after;
+};
+
+/// What the author did to the objects' styles, with its undo and redo. Plain data: the level that is shown and the
+/// level file follow from it by rules_for().
+class StyleEdits {
+ public:
+    /// Does `edit`; what was undone before can no longer be redone.
+    void push(StyleEdit edit);
+    /// The step that was taken back or done again; nothing when there is none.
+    std::optional<StyleEdit> undo();
+    std::optional<StyleEdit> redo();
+
+    /// Every object that was ever edited, with the choice that it has now.
+    std::map<ObjectId, StyleChoice> choices() const;
+    /// Whether something was done or undone since the last mark_saved().
+    bool has_unsaved() const { return done_count_ != saved_count_; }
+    void mark_saved() { saved_count_ = done_count_; }
+
+ private:
+    std::vector<StyleEdit> steps_;
+    std::size_t done_count_ = 0;
+    std::size_t saved_count_ = 0;  ///< kForgotten when the saved state can no longer be reached by undo and redo.
+};
+
+StyleChoice choice_of(const ObjectLook& look);
+
+/// The style after `current` in the cycle of `names`, `step` = +1 or -1; the first when `current` is not among them.
+/// `names` must not be empty.
+std::string next_style(const std::vector<std::string>& names, const std::string& current, int step);
+
+/// Rules that, appended to the level's "assign", give the objects in `wanted` these choices and leave all others alone.
+/// A rule reaches children, so some of them may restate the style of a child. Objects that no rule can tell apart
+/// (equal material names on one node) change together. Empty when the level already says so.
+std::vector<AssignRule> rules_for(const Level& level, const Scene& scene, const std::string& fallback_style,
+                                  const std::map<ObjectId, StyleChoice>& wanted);
+
+/// How a rule names the node: its path where no other node has the same, else "#index". Characters with a meaning in
+/// globs are escaped.
+std::string node_selector(const Scene& scene, int node);
+
+/// "Hall/Column_02" or, where a node has several primitives, "Hall/Column_02 (Plank)": for messages.
+std::string object_name(const Scene& scene, ObjectId object);
+
+}  // namespace hw
