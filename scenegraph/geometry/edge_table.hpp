@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hw {
+
+/// What an edge can add to a line drawing, decided before any view is known. Within each of the last three groups edges
+/// stand by falling fold, so that the creases of any crease angle are the beginnings of these groups.
+enum class EdgeGroup : std::uint8_t {
+    border,         ///< One face, or more than two: drawn from every viewpoint.
+    artist,         ///< Two faces, marked by the artist or by split normals: drawn from every viewpoint.
+    convex,         ///< Two faces, strictly convex: a ridge, or a contour candidate when smooth.
+    reflex,         ///< Two faces, reflex, no right to the reflex rule: a valley, or a contour candidate when smooth.
+    reflex_silent,  ///< Reflex with that right, or flat: a valley, or never drawn when smooth.
+};
+inline constexpr int kEdgeGroupCount = 5;
+
+/// A run of edge ids.
+struct EdgeRange {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    std::uint32_t size() const { return end - begin; }
+};
+
+inline constexpr std::uint32_t kNoFace = 0xffffffffu;
+
+/// All edges of a surface. An edge id is a place in this table. 16 bytes an edge.
+struct EdgeTable {
+    std::vector<std::array<std::uint32_t, 2>> vertices;  ///< Into Surface::positions, in the direction of face A.
+    /// Faces A and B. B of a border of one face is kNoFace; complex edges name their first two. Where the surface cannot
+    /// be oriented, B is a reversed twin of the face (an index past Surface::faces, see FacingFilter).
+    std::vector<std::array<std::uint32_t, 2>> faces;
+    std::array<std::uint32_t, kEdgeGroupCount + 1> group_begin{};  ///< group_begin[g] .. group_begin[g + 1]
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(vertices.size()); }
+    EdgeRange group(EdgeGroup group) const
+    {
+        const auto index = static_cast<std::size_t>(group);
+        return {group_begin[index], group_begin[index + 1]};
+    }
+    /// Edges of exactly two faces.
+    EdgeRange two_faced() const { return {group_begin[1], size()}; }
+};
+
+struct Surface;
+
+/// The table cut at one crease angle. Ranges of ids, nothing is copied.
+struct EdgeClasses {
+    EdgeRange borders;
+    EdgeRange artist;
+    EdgeRange ridges;                     ///< Convex creases.
+    std::array<EdgeRange, 2> valleys;     ///< Reflex creases.
+    std::array<EdgeRange, 2> candidates;  ///< Contours where one face looks at the eye and the other does not.
+    EdgeRange silent;                     ///< Never drawn.
+
+    std::uint32_t crease_count() const { return ridges.size() + valleys[0].size() + valleys[1].size(); }
+    std::uint32_t candidate_count() const { return candidates[0].size() + candidates[1].size(); }
+};
+
+/// Cuts the table: a crease is an edge folded by more than `crease_rad` (0 is flat; pi or more: no creases). An edge at
+/// the angle itself, within a millionth of a radian, is no crease. A few fold computations, no memory.
+EdgeClasses classes_at(const Surface& surface, float crease_rad);
+
+/// The angle between the normals of the two faces of an edge, in [0, pi]; 0 where a face has no plane or is missing.
+float fold_rad(const Surface& surface, std::uint32_t edge);
+
+}  // namespace hw

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/surface.hpp"
+#include "geometry/viewpoint.hpp"
+
+namespace hw {
+
+/// How facing is decided. `exact` is certified; the other two exist to report what certainty costs.
+enum class FacingPrecision : std::uint8_t { exact, single_only, double_only };
+
+struct SilhouetteOptions {
+    float crease_rad = 0.7f;  ///< For drawn_contours(): edges folded by more are creases and not among the result.
+    FacingPrecision precision = FacingPrecision::exact;
+};
+
+/// What the last calls cost. Sums until reset by the caller.
+struct SilhouetteCounters {
+    std::uint64_t objects_without_work = 0;  ///< No candidates: nothing was computed.
+    std::uint64_t faces_tested = 0;
+    std::uint64_t double_stage = 0;          ///< Faces that the float filter left open.
+    std::uint64_t exact_stage = 0;           ///< Faces that doubles left open.
+    std::uint64_t edges_tested = 0;
+    std::uint64_t edges_found = 0;
+};
+
+/// Memory kept between calls: once it has grown to the largest surface, no call allocates. One for each thread.
+struct SilhouetteScratch {
+    std::vector<std::uint32_t> facing_bits;  ///< Bit f: face f looks at the viewer.
+    std::vector<std::uint32_t> open_faces;
+    std::vector<std::uint32_t> edges;
+    SilhouetteCounters counters;
+};
+
+/// Decides the facing of every face into scratch.facing_bits: front-facing means that the viewer is strictly on the outer
+/// side of the face's plane. Collinear faces take the facing of the neighbour across their longest edge.
+void find_facing(const Surface& surface, const Viewpoint& viewpoint_object, FacingPrecision precision,
+                 SilhouetteScratch& scratch);
+
+inline bool is_front_facing(const SilhouetteScratch& scratch, std::uint32_t face)
+{
+    return (scratch.facing_bits[face >> 5] >> (face & 31)) & 1u;
+}
+
+/// Every edge of exactly two faces that differ in facing, whatever its group. Ids rise. The span lives in `scratch` until
+/// its next use.
+std::span<const std::uint32_t> all_silhouettes(const Surface& surface, const Viewpoint& viewpoint_object,
+                                               const SilhouetteOptions& options, SilhouetteScratch& scratch);
+
+/// The contour candidates among them: what is drawn each frame beside borders, artist's edges and creases. A surface
+/// without candidates costs nothing.
+/// Source: Freudenberg, Masuch, Strothotte. Walk-Through Illustrations. Eurographics 2001, section 3.1.2.
+std::span<const std::uint32_t> drawn_contours(const Surface& surface, const Viewpoint& viewpoint_object,
+                                              const SilhouetteOptions& options, SilhouetteScratch& scratch);
+
+}  // namespace hw

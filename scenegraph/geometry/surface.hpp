@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/edge_table.hpp"
+#include "geometry/facing_filter.hpp"
+#include "geometry/mesh_data.hpp"
+
+namespace hw {
+
+/// What the owner of a mesh knows about its use.
+struct SurfaceOptions {
+    /// Opaque, single-sided, and no camera gets inside: closed outward components then may use the reflex rule.
+    bool is_solid = true;
+    /// Borders closer than this share of the bounding box' diagonal are joined.
+    float stitch_share = 1e-5f;
+    /// Where the model's own normals split over a smaller fold than this, nobody meant an edge.
+    float artist_fold_rad = 0.035f;
+};
+
+/// What the making of a surface found and repaired, for `hatchway info`.
+struct SurfaceReport {
+    std::uint32_t triangles_in = 0;
+    std::uint32_t removed_faces = 0;          ///< Two equal corners.
+    std::uint32_t collinear_faces = 0;        ///< Kept in the topology, never drawn.
+    std::uint32_t flipped_faces = 0;          ///< The minority of an inconsistently wound component.
+    std::uint32_t inconsistent_edges = 0;     ///< Left after the repair: the surface cannot be oriented (Moebius).
+    std::uint32_t border_edges = 0;           ///< One face.
+    std::uint32_t complex_edges = 0;          ///< More than two faces.
+    std::uint32_t stitched_edges = 0;         ///< Pairs of borders that became one edge.
+    std::uint32_t artist_edges = 0;
+    std::uint32_t components = 0;             ///< Connected over edges of exactly two faces.
+    std::uint32_t closed_components = 0;      ///< Neither borders nor complex edges, consistently wound.
+    std::uint32_t inward_components = 0;      ///< Closed and facing inward: rooms. Never flipped.
+    std::uint32_t reflex_rule_components = 0; ///< Have the right to leave reflex edges out.
+};
+
+/// A piece of the surface, connected over edges of exactly two faces.
+struct SurfaceComponent {
+    std::uint32_t face_count = 0;
+    bool is_closed = false;        ///< No border, no complex edge, consistently wound.
+    bool is_outward = false;       ///< Closed, and its signed volume is above zero.
+    bool has_reflex_rule = false;  ///< Closed, outward and solid.
+};
+
+/// A mesh with its adjacency, in object space: what outlines are found on. Plain data, made once by build_surface().
+struct Surface {
+    std::vector<glm::vec3> positions;                  ///< Welded; no two are equal.
+    std::vector<std::array<std::uint32_t, 3>> faces;   ///< Into `positions`, winding repaired, collinear faces included.
+    std::vector<std::uint32_t> face_triangle;          ///< The triangle of the MeshData that a face came from.
+    std::vector<std::uint32_t> face_component;         ///< Into `components`.
+    std::vector<SurfaceComponent> components;
+    EdgeTable edges;
+    FacingFilter filter;
+    SurfaceReport report;
+};
+
+/// Welds by exact position, repairs the winding, stitches borders, classifies edges. Takes every valid MeshData: no
+/// topology is an error. The same mesh gives the same surface, bit by bit.
+Surface build_surface(const MeshData& mesh, const SurfaceOptions& options = {});
+
+/// Memory that the surface holds for outlines beside positions and faces.
+std::size_t edge_bytes(const Surface& surface);
+
+}  // namespace hw
