@@ -1,0 +1,131 @@
+#include "gl/shader_text.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/limits.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kMaxIncludeDepth = 16;
+
+bool is_plain_name(std::string_view name)
+{
+    const auto is_allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
+    return !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), is_allowed);
+}
+
+std::optional<fs::path> find_in(std::span<const fs::path> folders, std::string_view name)
+{
+    for (const fs::path& folder : folders)
+        if (std::error_code ignored; fs::is_regular_file(folder / name, ignored)) return folder / name;
+    return std::nullopt;
+}
+
+/// The name in an `#include "name"` line.
+std::optional<std::string_view> included_name(std::string_view line)
+{
+    const auto skip_blanks = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+    skip_blanks();
+    if (!line.starts_with('#')) return std::nullopt;
+    line.remove_prefix(1);
+    skip_blanks();
+    if (!line.starts_with("include")) return std::nullopt;
+    const std::size_t open = line.find('"');
+    const std::size_t close = line.find('"', open + 1);
+    if (open == std::string_view::npos || close == std::string_view::npos) return std::string_view();
+    return line.substr(open + 1, close - open - 1);
+}
+
+class Includer {
+ public:
+    Includer(std::span<const fs::path> folders, ShaderText& result) : folders_(folders), result_(result) {}
+
+    void add(std::string_view name, const std::string& named_in, const std::string& line, int depth)
+    {
+        const std::optional<fs::path> file = is_plain_name(name) ? find_in(folders_, name) : std::nullopt;
+        if (!file || depth > kMaxIncludeDepth)
+            throw Error({.what = file ? "includes lie too deep" : "no shader file \"" + std::string(name) + "\"",
+                         .file = named_in,
+                         .pointer = line,
+                         .expected = file ? "at most 16 files in a chain" : "a file in " + folder_list()});
+        if (std::find(result_.files.begin(), result_.files.end(), *file) != result_.files.end()) return;
+        const std::size_t number = result_.files.size();
+        result_.files.push_back(*file);
+        append_lines(read_text_file(*file, limits::kMaxShaderBytes), *file, number, depth);
+    }
+
+ private:
+    void append_lines(const std::string& text, const fs::path& file, std::size_t number, int depth)
+    {
+        result_.text += "#line 1 " + std::to_string(number) + "\n";
+        int line_number = 0;
+        for (std::size_t start = 0; start < text.size();) {
+            const std::size_t end = std::min(text.find('\n', start), text.size());
+            const std::string_view line = std::string_view(text).substr(start, end - start);
+            start = end + 1;
+            ++line_number;
+            if (const auto name = included_name(line)) {
+                add(*name, file.string(), "line " + std::to_string(line_number), depth + 1);
+                result_.text += "#line " + std::to_string(line_number + 1) + " " + std::to_string(number) + "\n";
+            } else {
+                result_.text.append(line).append("\n");
+            }
+        }
+    }
+
+    std::string folder_list() const
+    {
+        std::string list;
+        for (const fs::path& folder : folders_) list += (list.empty() ? "" : " or ") + folder.string();
+        return list;
+    }
+
+    std::span<const fs::path> folders_;
+    ShaderText& result_;
+};
+
+}  // namespace
+
+ShaderText load_shader(std::string_view name, std::span<const fs::path> folders, std::string_view defines)
+{
+    ShaderText result{.text = std::string(defines), .files = {"defines"}};
+    if (!result.text.empty() && result.text.back() != '\n') result.text += '\n';
+    Includer(folders, result).add(name, std::string(name), "", 0);
+    return result;
+}
+
+std::string shader_header(bool is_es)
+{
+    if (!is_es) return "#version 330 core\n#line 1 0\n";
+    return "#version 300 es\n"
+           "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp "
+           "sampler2DShadow;\n"
+           "#line 1 0\n";
+}
+
+std::string located_message(const std::string& log, const ShaderText& shader)
+{
+    // Mesa: "2:14(5): error: text"; NVIDIA: "2(14) : error C1: text"; others: "ERROR: 2:14: text".
+    static const std::regex place(R"((\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?(.*))");
+    std::string first_line;
+    for (std::size_t start = 0; start < log.size();) {
+        const std::size_t end = std::min(log.find('\n', start), log.size());
+        const std::string line = log.substr(start, end - start);
+        start = end + 1;
+        if (first_line.empty()) first_line = line;
+        std::smatch match;
+        if (line.find("rror") == std::string::npos || !std::regex_search(line, match, place)) continue;
+        const std::size_t file = std::min<std::size_t>(std::stoul(match[1]), shader.files.size() - 1);
+        const std::string number = match[2].matched ? match[2] : match[3];
+        return shader.files[file].string() + ":" + number + ": " + match[4].str();
+    }
+    return (shader.files.size() > 1 ? shader.files[1].string() : "shader") + ": " + first_line;
+}
+
+}  // namespace hw
