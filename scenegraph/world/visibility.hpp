@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh_chunks.hpp"
+#include "world/bsp.hpp"
+#include "world/level.hpp"
+#include "world/pvs.hpp"
+#include "world/scene.hpp"
+
+namespace hw {
+
+/// How the potentially visible set is made. Every choice is conservative.
+struct VisibilityOptions {
+    PvsEffort effort = PvsEffort::full;
+    int max_structure_polygons = 3000;  ///< Budget of the automatic choice; the largest polygons win.
+    int max_leaves = 6000;              ///< Past this the smallest structure polygons are left out.
+    double flow_seconds = 20.0;         ///< Rough time after which portals keep their coarse answer; 0: no limit.
+    int threads = 0;                    ///< 0: as many as the machine has.
+};
+
+/// A chunk of an object: what is switched on and off.
+struct ChunkSlot {
+    ObjectId object = 0;
+    std::uint32_t chunk = 0;  ///< Into the MeshChunks of the object's mesh.
+};
+
+struct VisibilityStats {
+    int structure_polygons = 0;
+    int leaves = 0;
+    int portals = 0;
+    int coarse_portals = 0;              ///< Portals whose flow ran out of budget and kept the coarse answer.
+    double average_visible_share = 1.0;  ///< Triangles in the row of a leaf over all, mean over the leaves.
+    double seconds = 0.0;
+};
+
+/// What can be seen from where: a BSP over the structure, and for each of its leaves the chunks to draw.
+struct Visibility {
+    BspTree tree;
+    LeafRows rows;
+    std::vector<ChunkSlot> slots;  ///< Objects in order, then their chunks.
+    std::vector<std::uint32_t> first_slot_of_object;  ///< One more than there are objects.
+    std::vector<std::uint32_t> first_in_leaf;         ///< Into slots_of_leaf; one more than there are leaves.
+    std::vector<std::uint32_t> slots_of_leaf;         ///< The slots that touch each leaf, ascending.
+    VisibilityStats stats;
+};
+
+/// Compiles the visibility of a scene.
+///
+/// Structure is what Level::structure names, else the largest opaque, static polygons (coplanar triangles are merged
+/// only where their union is exactly convex). Never mask, blend or animated. A surface blocks only from the sides from
+/// which it is drawn: a single-sided wall seen from behind is transparent, so what lies before it is seen from there.
+/// Unsealed and empty scenes work: outside is leaves like any other. Never hides what can be seen through an opening
+/// wider than kCrackWidth; where a budget runs out, more is visible, never less.
+/// `chunks_of_mesh`: one entry for each mesh of the scene.
+Visibility build_visibility(const Scene& scene, const Level& level, std::span<const MeshChunks> chunks_of_mesh,
+                            const VisibilityOptions& options);
+
+/// Sets `is_visible` to one byte per slot: 1 if the chunk may be seen by an eye within `near_radius_m` of `eye_world` (the
+/// near plane pokes through walls). An eye outside of the compiled box sees everything.
+void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m,
+                    std::vector<std::uint8_t>& is_visible_by_chunk_slot);
+
+/// Leaves in the union of the rows that visible_chunks() reads at that place, for statistics.
+int visible_leaf_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m);
+
+}  // namespace hw
