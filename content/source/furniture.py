@@ -9,8 +9,8 @@ TABLE_SPOTS = [(-1.62, -3.9), (1.62, -3.9), (-1.62, 3.9), (1.62, 3.9)]
 
 def _trestle(half, top):
     """A trestle end: a waisted board over a foot."""
-    outline = [(-half, 0.0), (half, 0.0), (half, 0.07), (half * 0.38, 0.16), (half * 0.30, top * 0.6), (half * 0.62, top - 0.08), (half * 0.62, top),
-               (-half * 0.62, top), (-half * 0.62, top - 0.08), (-half * 0.30, top * 0.6), (-half * 0.38, 0.16), (-half, 0.07)]
+    outline = [(-half, 0.0), (half, 0.0), (half, 0.07), (half * 0.30, top * 0.6), (half * 0.62, top),
+               (-half * 0.62, top), (-half * 0.30, top * 0.6), (-half, 0.07)]
     return prism(outline, "y", -0.035, 0.035)
 
 
@@ -23,7 +23,7 @@ def _table(length=3.2, width=0.78):
 
 
 def _bench(length=3.0):
-    solid = box(-0.14, 0.14, -length / 2, length / 2, 0.41, 0.455, 0.01)
+    solid = box(-0.14, 0.14, -length / 2, length / 2, 0.41, 0.455)
     for end in (-1, 1):
         solid.merge(_trestle(0.15, 0.415), (0, end * (length / 2 - 0.35), 0))
     solid.merge(box(-0.02, 0.02, -length / 2 + 0.25, length / 2 - 0.25, 0.33, 0.415))
@@ -36,7 +36,7 @@ def _chair():
     for x in (-0.27, 0.27):
         solid.merge(box(x - 0.035, x + 0.035, -0.26, -0.19, 0.0, 0.72))
         solid.merge(box(x - 0.035, x + 0.035, 0.19, 0.26, 0.0, 1.32))
-        solid.merge(box(x - 0.045, x + 0.045, -0.29, 0.2, 0.70, 0.745, 0.01))
+        solid.merge(box(x - 0.045, x + 0.045, -0.29, 0.2, 0.70, 0.745))
     crest = [(-0.24, 0.52), (0.24, 0.52), (0.24, 1.22), (0.14, 1.38), (0.0, 1.52), (-0.14, 1.38), (-0.24, 1.22)]
     return solid.merge(prism(crest, "y", 0.205, 0.245))
 
@@ -60,7 +60,7 @@ def _chest_straps():
 
 def _chandelier():
     """A wheel of iron on three chains, with eight candle cups."""
-    radius, sides, solid = 0.85, 16, Solid()
+    radius, sides, solid = 0.85, 12, Solid()
     circle = [(radius * math.cos(2 * math.pi * i / sides), radius * math.sin(2 * math.pi * i / sides), 0.0) for i in range(sides)]
     solid.merge(sweep(circle, [(-0.05, -0.02), (0.05, -0.02), (0.05, 0.02), (-0.05, 0.02)], (0, 0, 1), closed=True))
     for i in range(8):
@@ -78,7 +78,7 @@ def _chandelier():
 def _chandeliers():
     mesh = make_mesh("Chandelier", _chandelier(), "Iron", smooth_deg=30)
     chain = make_mesh("Chain", sweep([(0, 0, 1.55), (0, 0, 4.3)], [(-0.02, -0.02), (0.02, -0.02), (0.0, 0.02)], (1, 0, 0)), "Iron")
-    for i, y in enumerate((-4.8, 0.0, 4.8)):
+    for i, y in enumerate((-4.8, 4.8)):
         place(f"Furniture/Chandelier_{i + 1:02d}", mesh, (0, y, 4.55))
         place(f"Furniture/Chandelier_{i + 1:02d}/Chain", chain)
 

@@ -13,7 +13,7 @@ WEST, EAST, NORTH, SOUTH = 90.0, -90.0, 0.0, 180.0     # turns that bring local 
 
 def door_void(half=plan.DOOR_HALF, spring=plan.DOOR_SPRING, rise=plan.DOOR_RISE, base=0.0, wall=plan.WALL):
     """The void of a doorway through a wall lying in y = 0 .. wall."""
-    return prism(arch_outline(half, base, spring, rise, 5), "y", -0.3, wall + 0.3)
+    return prism(arch_outline(half, base, spring, rise, 4), "y", -0.3, wall + 0.3)
 
 
 def _moved(solid, at, turn_deg):
@@ -105,20 +105,20 @@ def _floor():
 
 def column_profile():
     """(radius, z, squareness): plinth, attic base, entasis, necking, cushion capital, abacus."""
-    return [(0.50, -0.02, 1), (0.50, 0.20, 1), (0.46, 0.25, 1), (0.48, 0.25, 0), (0.495, 0.31, 0), (0.45, 0.37, 0),
-            (0.40, 0.41, 0), (0.43, 0.46, 0), (0.36, 0.52, 0),
-            (0.355, 2.2, 0), (0.325, 3.78, 0), (0.37, 3.81, 0), (0.37, 3.86, 0), (0.33, 3.89, 0)]
+    return [(0.50, -0.02, 1), (0.50, 0.20, 1), (0.46, 0.25, 1), (0.48, 0.25, 0), (0.495, 0.31, 0), (0.41, 0.40, 0),
+            (0.43, 0.46, 0), (0.36, 0.52, 0),
+            (0.355, 2.2, 0), (0.325, 3.78, 0), (0.37, 3.83, 0), (0.33, 3.89, 0)]
 
 
 def capital_profile():
     """A cushion capital that grows from the round necking to the square abacus."""
-    return [(0.33, 3.88, 0), (0.345, 4.02, 0.05), (0.40, 4.18, 0.3), (0.45, 4.34, 0.75), (0.455, 4.44, 1),
-            (0.43, 4.47, 1), (0.47, 4.52, 1), (0.54, 4.58, 1), (0.54, 4.71, 1)]
+    return [(0.33, 3.88, 0), (0.36, 4.05, 0.1), (0.43, 4.26, 0.55), (0.46, 4.44, 1),
+            (0.45, 4.48, 1), (0.54, 4.57, 1), (0.54, 4.71, 1)]
 
 
 def _leaves(angle, row):
     """Four broad leaves under the corners of the abacus, deepest half way up."""
-    depth = {0: 0.0, 1: 0.05, 2: 0.10, 3: 0.07}.get(row, 0.0)
+    depth = {1: 0.07, 2: 0.09}.get(row, 0.0)
     return 1.0 + depth * math.cos(8 * angle)
 
 
@@ -133,7 +133,7 @@ def _columns():
 
 def _corbels():
     """Where ribs end on a wall: a turned corbel under a square abacus, half inside the wall."""
-    profile = [(0.04, 4.02, 0), (0.12, 4.10, 0), (0.08, 4.15, 0), (0.26, 4.46, 0.3), (0.34, 4.59, 1), (0.34, 4.71, 1)]
+    profile = [(0.05, 4.04, 0), (0.10, 4.12, 0), (0.26, 4.46, 0.3), (0.34, 4.59, 1), (0.34, 4.71, 1)]
     mesh = make_mesh("Corbel", lathe(profile, 8), "Stone", smooth_deg=50)
     walls = [(sign * plan.HALL_X, y) for y in plan.COLUMN_Y for sign in (-1, 1)]
     ends = [(sign * plan.COLUMN_X, y) for y in (-plan.HALL_Y, plan.HALL_Y) for sign in (-1, 1)]
@@ -149,7 +149,7 @@ SURROUND = [(-0.06, 0.0), (-0.06, 0.30), (0.06, 0.30), (0.10, 0.24), (0.10, 0.17
 
 def door_surround(half, spring, rise, base):
     """A moulded frame round a doorway in the plane y = 0, standing proud towards -y."""
-    arch = pointed_arch(half + 0.03, spring, rise + 0.03, 5)
+    arch = pointed_arch(half + 0.03, spring, rise + 0.03, 4)
     path = [(half + 0.03, 0.0, base)] + [(x, 0.0, z) for x, z in arch] + [(-half - 0.03, 0.0, base)]
     return sweep(path, SURROUND, (0, -1, 0))
 
@@ -197,9 +197,9 @@ def _gallery_floor():
 
 def _gallery_posts():
     top = plan.GALLERY_Z - 0.46
-    post = box(-0.14, 0.14, -0.14, 0.14, 0.16, top, 0.025).merge(box(-0.22, 0.22, -0.22, 0.22, -0.02, 0.18, 0.03))
+    post = box(-0.14, 0.14, -0.14, 0.14, 0.16, top, 0.025).merge(box(-0.2, 0.2, -0.2, 0.2, -0.02, 0.18))
     for side in (-1, 1):
-        arc = [(side * (0.10 + 0.85 * (1 - math.cos(a))), 0.0, top - 0.85 + 0.85 * math.sin(a)) for a in (0.0, 0.5, 1.0, 1.5)]
+        arc = [(side * (0.10 + 0.85 * (1 - math.cos(a))), 0.0, top - 0.85 + 0.85 * math.sin(a)) for a in (0.0, 0.75, 1.5)]
         post.merge(sweep(arc, [(-0.07, -0.08), (0.07, -0.08), (0.07, 0.08), (-0.07, 0.08)], (0, 1, 0)))
     mesh = make_mesh("Post", post, "Plank", grain=2)
     for i, x in enumerate((-4.2, -1.75, 1.75, 4.2)):
@@ -208,7 +208,7 @@ def _gallery_posts():
 
 def _baluster():
     """A sawn baluster of square section."""
-    shape = [(0.045, -0.02), (0.045, 0.12), (0.022, 0.15), (0.055, 0.32), (0.022, 0.62), (0.045, 0.66), (0.045, 0.80)]
+    shape = [(0.045, -0.02), (0.045, 0.12), (0.055, 0.34), (0.024, 0.60), (0.045, 0.66), (0.045, 0.80)]
     rings = [[(-r, -r, z), (r, -r, z), (r, r, z), (-r, r, z)] for r, z in shape]
     return make_mesh("Baluster", loft(rings, metric_uv=False), "Plank", smooth_deg=30, grain=2)
 
@@ -219,7 +219,7 @@ def _balustrade(baluster):
     rails = box(x0 - 0.05, x1 + 0.02, y - 0.07, y + 0.07, z + 0.84, z + 0.95, 0.03)
     rails.merge(box(x0 - 0.02, x1 + 0.02, y - 0.06, y + 0.06, z - 0.02, z + 0.08, 0.015))
     place("Gallery/Balustrade", make_mesh("Balustrade_Rails", rails, "Plank", grain=0))
-    count = 28
+    count = 22
     for i in range(count):
         x = x0 + (x1 - x0) * (i + 0.5) / count
         place(f"Gallery/Baluster_{i + 1:02d}", baluster, (x, y, z + 0.07))

@@ -25,11 +25,16 @@ def _export(path):
                               export_animations=False, export_extras=True, export_yup=True, export_cameras=False)
 
 
-def _shorten_names(path):
-    """Blender needs unique names, so objects carry their whole path; in the file the tree says it already."""
+def _tidy(path):
+    """Shortens names (Blender wants whole paths, unique), and lets viewers that cannot scale textures read the file."""
     document, binary = glb_file.read_glb(path)
     for node in document["nodes"]:
         node["name"] = node["name"].rsplit("/", 1)[-1]
+    for material in document["materials"]:
+        for texture in (material.get("normalTexture"), material["pbrMetallicRoughness"]["baseColorTexture"]):
+            if texture:
+                texture["extensions"]["KHR_texture_transform"] = {"scale": [0.5, 0.5]}
+    document.pop("extensionsRequired", None)
     document["asset"]["copyright"] = "CC0-1.0, made by the scripts in content/source"
     glb_file.write_glb(path, document, binary)
 
@@ -42,7 +47,7 @@ def main():
         part.build()
     bpy.context.view_layer.update()
     _export(path)
-    _shorten_names(path)
+    _tidy(path)
 
 
 main()

@@ -151,15 +151,14 @@ def arch_outline(half_width, base, spring, rise, segments):
 
 # ---- Blender meshes -------------------------------------------------------------------------------------------------
 
-def _box_uv(face, loop, long_axis):
-    normal = face.normal
-    drop = max(range(3), key=lambda a: abs(normal[a]))
-    u_axis, v_axis = {0: (1, 2), 1: (0, 2), 2: (0, 1)}[drop]
-    if long_axis == v_axis:
-        u_axis, v_axis = v_axis, u_axis
-    p = loop.vert.co
-    stretch = 1.0 / max(0.2, math.sqrt(normal[drop] ** 2 + normal[v_axis] ** 2))
-    return p[u_axis], p[v_axis] * stretch
+def _box_uv(face, loop, grain):
+    """Metres on the nearest upright plane, v measured up the slope; level faces are seen from above."""
+    normal, p = face.normal, loop.vert.co
+    if abs(normal.z) > 0.97:
+        return (p.y, p.x) if grain == 1 else (p.x, p.y)
+    along = 1 if abs(normal.x) >= abs(normal.y) else 0
+    u, v = p[along], p.z / math.sqrt(1.0 - normal.z ** 2)
+    return (v, u) if grain == 2 else (u, v)
 
 
 def _apply_uvs(bm, known_uvs, grain):

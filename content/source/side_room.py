@@ -23,7 +23,7 @@ def _floor_and_ceiling():
     place("SideRoom/Floor", make_mesh("Room_Floor", box(x0 - 0.05, x1, y0 - 0.05, y1 + 0.05, -0.3, 0.0), "Plank", grain=0))
     z = plan.ROOM_Z
     place("SideRoom/Ceiling", make_mesh("Room_Ceiling", box(x0 - 0.05, x1, y0 - 0.05, y1 + 0.05, z, z + 0.12), "Plank", grain=1))
-    beam = make_mesh("Room_Beam", box(x0 - 0.1, x1 + 0.1, -0.11, 0.11, z - 0.26, z + 0.05, 0.03), "Plank", grain=0)
+    beam = make_mesh("Room_Beam", box(x0 - 0.1, x1 + 0.1, -0.11, 0.11, z - 0.26, z + 0.05), "Plank", grain=0)
     for i in range(5):
         place(f"SideRoom/Beam_{i + 1:02d}", beam, (0, y0 + 0.76 + i * 1.52, 0))
 

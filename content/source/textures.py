@@ -1,4 +1,4 @@
-"""Tiling textures drawn with numpy: linear-ish albedo painted directly in sRGB, and heights for the normal maps.
+"""Tiling textures drawn with numpy: colours in sRGB, and heights for the normal maps.
 
 Every tile covers TILE_M x TILE_M metres and repeats without a seam. Deterministic.
 """
@@ -32,23 +32,39 @@ def noise(seed, cells_x, cells_y=None, octaves=4):
     return total / weight
 
 
-def masonry(row_edges, columns, seed, joint, wobble=0.004):
-    """Courses of blocks: returns (block brightness 0..1, depth 0 in the joint .. 1 on the face)."""
+def masonry_layout(row_edges, columns, seed):
+    """Courses of blocks as (low, high, cuts): fractions of the tile, downwards and across."""
+    rng, courses = np.random.default_rng(seed), []
+    for row, (low, high) in enumerate(zip(row_edges, row_edges[1:])):
+        count = columns[row % len(columns)]
+        cuts = (np.arange(count) + rng.uniform(-0.14, 0.14, count) + 0.5 * (row % 2)) / count
+        courses.append((low, high, np.sort(cuts % 1.0)))
+    return courses
+
+
+STONE_COURSES = masonry_layout([0.0, 0.16, 0.33, 0.48, 0.67, 0.84, 1.0], [4, 3, 4, 3, 5, 4], 11)
+FLAGSTONES = masonry_layout([0.0, 0.21, 0.45, 0.70, 1.0], [3, 4, 3, 3], 31)
+ROOF_ROWS = ROOF_COLUMNS = 12
+BOARDS = 8
+
+
+def tile_arc(across):
+    """How far down its row (0..1) a roof tile's round end reaches, at -0.5 .. 0.5 across the tile."""
+    return 0.72 + 0.26 * np.sqrt(np.clip(1.0 - (2.05 * across) ** 2, 0.0, 1.0))
+
+
+def masonry(courses, seed, joint, wobble=0.004):
+    """Draws courses: returns (block brightness 0..1, depth 0 in the joint .. 1 on the face)."""
     rng = np.random.default_rng(seed)
     x = (_X + wobble * (noise(seed + 1, 12, octaves=2) - 0.5)) % 1.0
     y = (_Y + wobble * (noise(seed + 2, 12, octaves=2) - 0.5)) % 1.0
     tone, depth = np.zeros_like(x), np.zeros_like(x)
-    for row, (low, high) in enumerate(zip(row_edges, row_edges[1:])):
-        count = columns[row % len(columns)]
-        cuts = (np.arange(count) + rng.uniform(-0.14, 0.14, count) + 0.5 * (row % 2)) / count
-        cuts = np.sort(cuts % 1.0)
-        tones = rng.random(count)
+    for low, high, cuts in courses:
+        tones = rng.random(len(cuts))
         inside = (y >= low) & (y < high)
-        block = np.searchsorted(cuts, x[inside], side="right") % count
-        left = cuts[block - 1]
-        right = cuts[block]
-        along = (x[inside] - left) % 1.0
-        width = (right - left) % 1.0
+        block = np.searchsorted(cuts, x[inside], side="right") % len(cuts)
+        along = (x[inside] - cuts[block - 1]) % 1.0
+        width = (cuts[block] - cuts[block - 1]) % 1.0
         gap = np.minimum(np.minimum(along, width - along), np.minimum(y[inside] - low, high - y[inside]))
         tone[inside], depth[inside] = tones[block], _smooth(gap / joint)
     return tone, depth
@@ -60,8 +76,7 @@ def _mix(low, high, t):
 
 
 def stone():
-    rows = [0.0, 0.16, 0.33, 0.48, 0.67, 0.84, 1.0]
-    tone, depth = masonry(rows, [4, 3, 4, 3, 5, 4], 11, 0.009)
+    tone, depth = masonry(STONE_COURSES, 11, 0.009)
     grain, stain = noise(12, 32), noise(13, 4)
     colour = _mix((0.56, 0.50, 0.42), (0.78, 0.72, 0.62), 0.45 * tone + 0.35 * grain + 0.25 * stain)
     colour *= (0.72 + 0.28 * depth)[..., None]
@@ -75,8 +90,7 @@ def plaster():
 
 
 def flagstone():
-    rows = [0.0, 0.21, 0.45, 0.70, 1.0]
-    tone, depth = masonry(rows, [3, 4, 3, 3], 31, 0.008, wobble=0.007)
+    tone, depth = masonry(FLAGSTONES, 31, 0.008, wobble=0.007)
     grain = noise(32, 16, octaves=5)
     colour = _mix((0.40, 0.37, 0.33), (0.64, 0.58, 0.50), 0.55 * tone + 0.45 * grain)
     colour *= (0.62 + 0.38 * depth)[..., None]
@@ -84,7 +98,7 @@ def flagstone():
 
 
 def plank():
-    boards = 8
+    boards = BOARDS
     row = np.floor(_Y * boards).astype(int)
     within = _Y * boards - row
     rng = np.random.default_rng(41)
@@ -99,14 +113,14 @@ def plank():
 
 
 def roof_tile():
-    rows, columns = 12, 12
+    rows, columns = ROOF_ROWS, ROOF_COLUMNS
     row = np.floor(_Y * rows).astype(int)
     down = _Y * rows - row
     shifted = _X * columns + 0.5 * (row % 2)
     column = np.floor(shifted).astype(int) % columns
     across = shifted - np.floor(shifted) - 0.5
     # The lower end of a plain tile is round: beyond that arc one sees the tile underneath.
-    arc = 0.72 + 0.26 * np.sqrt(np.clip(1.0 - (2.05 * across) ** 2, 0.0, 1.0))
+    arc = tile_arc(across)
     gap = _smooth((0.5 - np.abs(across)) / 0.05) * _smooth(np.abs(arc - down) / 0.06)
     lower = (down > arc).astype(float)
     tone = np.random.default_rng(51).random((rows, columns))[row, column]

@@ -128,6 +128,7 @@ def _webs():
 
 ARCADE = [(-0.34, -0.02), (-0.34, 0.16), (-0.22, 0.20), (-0.22, 0.32), (0.22, 0.32), (0.22, 0.20), (0.34, 0.16), (0.34, -0.02)]
 HEAVY = [(-0.17, -0.02), (-0.17, 0.14), (-0.09, 0.26), (0.09, 0.26), (0.17, 0.14), (0.17, -0.02)]
+MEDIUM = [(-0.16, -0.02), (-0.08, 0.24), (0.08, 0.24), (0.16, -0.02)]
 LIGHT = [(-0.11, -0.02), (-0.045, 0.19), (0.045, 0.19), (0.11, -0.02)]
 
 
@@ -167,7 +168,7 @@ def build():
     arcade = make_mesh("Arcade_Arch", _arcade_rib(NAVE, ARCADE, STEPS), "Stone")
     wall_rib = make_mesh("Wall_Rib", _arcade_rib(NAVE, LIGHT, STEPS), "Stone")
     nave_arch = make_mesh("Nave_Arch", _transverse_rib(NAVE, HEAVY, STEPS), "Stone")
-    aisle_arch = make_mesh("Aisle_Arch", _transverse_rib(AISLE, HEAVY, STEPS), "Stone")
+    aisle_arch = make_mesh("Aisle_Arch", _transverse_rib(AISLE, MEDIUM, STEPS), "Stone")
     nave_ribs = make_mesh("Nave_Ribs", _diagonal_ribs(NAVE, STEPS, 0.30), "Stone")
     aisle_ribs = make_mesh("Aisle_Ribs", _diagonal_ribs(AISLE, STEPS, 0.24), "Stone")
     _place_bays(arcade, wall_rib, nave_ribs, aisle_ribs)

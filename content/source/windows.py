@@ -26,7 +26,7 @@ def _poly_curve(curve, points):
 
 
 def _plate(outer, holes, thickness, bevel):
-    """A flat plate with holes in the xz plane, centred on y = 0, its edges chamfered."""
+    """A flat plate with holes in the xz plane, centred on y = 0, its edges chamfered by `bevel`."""
     curve = bpy.data.curves.new("plate", "CURVE")
     curve.dimensions, curve.fill_mode = "2D", "BOTH"
     curve.extrude, curve.bevel_depth, curve.bevel_resolution = thickness / 2 - bevel, bevel, 0
@@ -67,7 +67,7 @@ def two_light_tracery(half, sill, spring, rise):
     light = (half - 1.5 * bar) / 2
     holes = [_light(sign * (light + bar / 2), light, sill + bar * 0.6, spring - 0.25, light * 1.7, 3) for sign in (-1, 1)]
     holes.append(_circle(0.0, spring + rise * 0.44, half * 0.36, 16, lobes=4, depth=0.34))
-    return _plate(outer, holes, 0.18, 0.025)
+    return _plate(outer, holes, 0.18, 0.0)
 
 
 def three_light_tracery(half, sill, spring, rise):
@@ -77,7 +77,7 @@ def three_light_tracery(half, sill, spring, rise):
     light = (2 * half - 4 * bar) / 6
     step = 2 * light + bar
     holes = [_light(i * step, light, sill + bar * 0.6, spring - 0.55 + (0.3 if i == 0 else 0), light * 1.6, 3) for i in (-1, 0, 1)]
-    holes += [_circle(sign * half * 0.44, spring + 0.48, half * 0.25, 12) for sign in (-1, 1)]
+    holes += [_circle(sign * half * 0.44, spring + 0.58, half * 0.22, 14) for sign in (-1, 1)]
     holes.append(_circle(0.0, spring + rise * 0.60, half * 0.31, 16, lobes=4, depth=0.34))
     return _plate(outer, holes, 0.24, 0.04)
 
@@ -89,7 +89,7 @@ def lancet_tracery(half, sill, spring, rise):
     middle = (sill + spring) / 2
     holes = [[(-half + bar, sill + bar), (half - bar, sill + bar), (half - bar, middle - bar / 2), (-half + bar, middle - bar / 2)],
              _light(0.0, half - bar, middle + bar / 2, spring, rise - bar, 4)]
-    return _plate(outer, holes, 0.16, 0.03)
+    return _plate(outer, holes, 0.16, 0.0)
 
 
 # Name, (half width, sill, spring, rise), tracery.
