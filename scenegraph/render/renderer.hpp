@@ -4,20 +4,21 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/pixels.hpp"
+#include "geometry/mesh_chunks.hpp"
 #include "render/frame_stats.hpp"
 #include "render/overlay.hpp"
 #include "style/style.hpp"
+#include "world/map_levels.hpp"
 
 namespace hw {
 
 class Context;
-class Visibility;   // world/visibility.hpp
-struct MeshChunks;  // geometry/mesh_chunks.hpp
-struct MapLevels;   // world/map_levels.hpp
+struct Visibility;  // world/visibility.hpp
 
 /// How one object is drawn. Indices point into SceneInput::styles and SceneInput::maps.
 struct StyledObject {
@@ -41,11 +42,11 @@ using ImagePassSource = std::function<std::unique_ptr<ImagePass>(const ImageKey&
 struct SceneInput {
     const Scene* scene = nullptr;
     std::vector<NamedStyle> styles;
-    std::vector<StyledObject> objects;                ///< One for each of scene->objects.
-    const Visibility* visibility = nullptr;           ///< Null: everything is visible.
-    const std::vector<MeshChunks>* chunks = nullptr;  ///< One for each mesh; null: meshes are drawn whole.
-    std::vector<const MapLevels*> maps;               ///< What StyledObject::maps points at.
-    std::map<std::string, int> named_maps;            ///< Needs::maps: a map's name -> index into `maps`.
+    std::vector<StyledObject> objects;       ///< One for each of scene->objects.
+    const Visibility* visibility = nullptr;  ///< Null: everything is visible.
+    std::span<const MeshChunks> chunks;      ///< One for each mesh; empty: meshes are drawn whole.
+    std::vector<const MapLevels*> maps;      ///< What StyledObject::maps points at.
+    std::map<std::string, int> named_maps;   ///< Needs::maps: a map's name -> index into `maps`.
     std::vector<Light> lights;
     float exposure_ev = 0.0f;  ///< EV 100; the picture is scaled by 1 / (1.2 * 2^EV).
     glm::vec3 background_srgb{1.0f};

@@ -13,9 +13,11 @@
 //   HW_ALPHA_MASK HW_ALPHA_BLEND HW_DOUBLE_SIDED HW_UNLIT          other features of the material
 //   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP                           the object has a map of that kind: hw_hatch_map ...
 //   HW_PRESENCE                                                    presence is not 1 everywhere
+//   HW_PRESENCE_BLENDS                                             hw_output() multiplies alpha by it
 //   HW_SHADOW                                                      the main light has a shadow map (shadow.glsl)
 //   HW_LIGHT_COUNT n                                               always: lights of the scene, 0 to 8
 #include "frame.glsl"
+#include "presence.glsl"
 
 layout(location = 0) out vec4 hw_fragment;
 
@@ -42,8 +44,6 @@ uniform vec2 hw_hatch_scale;        // metres per unit of uv0, and per unit of o
 uniform vec4 hw_base_colour_factor;
 uniform vec4 hw_material_factors;   // metallic, roughness, alpha cutoff, occlusion strength
 uniform vec4 hw_emissive_normal;    // emissive rgb, normal scale
-uniform vec4 hw_presence_height;    // constant, from_m, to_m, 1 when the constant is ramped by height; time is in the constant
-uniform float hw_presence_inverted; // 1: this style shows 1 - presence
 #ifdef HW_BASE_COLOUR_MAP
 uniform sampler2D hw_base_colour_map;
 uniform mat3 hw_base_colour_uv;
@@ -65,16 +65,17 @@ uniform sampler2D hw_emissive_map;
 uniform mat3 hw_emissive_uv;
 #endif
 #ifdef HW_HATCH_MAP
-uniform sampler2D hw_hatch_map;  // R: ink coverage, linear; levels as their maker filled them
+uniform sampler2D hw_hatch_map;  // R: 0 ink, 1 paper, linear; levels as their maker drew them: use textureLod
+uniform vec4 hw_hatch_info;      // x map widths per metre, y texels between lines, z texels of the width, w levels
 #endif
 #ifdef HW_INK_MAP
 uniform sampler2D hw_ink_map;
+uniform vec4 hw_ink_info;        // x map widths per metre, y height / width, z texels of the width, w levels
 #endif
 #ifdef HW_TONAL_MAP
-uniform sampler2D hw_tonal_map;  // tones stacked from top (light) to bottom (dark), hw_tonal_count of them
+uniform sampler2D hw_tonal_map;  // square tones side by side, darkest last
+uniform vec4 hw_tonal_info;      // x tone widths per metre, y tones, z texels of the whole width, w levels
 #endif
-uniform vec3 hw_map_levels;      // number of levels of the hatch, ink and tonal map
-uniform float hw_tonal_count;
 
 struct HwSurface {
     vec3 position_world;
@@ -241,13 +242,7 @@ HwMaterial hw_material(HwSurface s)
 float hw_presence(HwSurface s)
 {
 #ifdef HW_PRESENCE
-    float presence = hw_presence_height.x;
-    if (hw_presence_height.w > 0.5) {
-        float width = hw_presence_height.z - hw_presence_height.y;
-        float at = clamp((s.position_world.y - hw_presence_height.y) / (abs(width) < 1e-6 ? 1e-6 : width), 0.0, 1.0);
-        presence *= at * at * (3.0 - 2.0 * at);
-    }
-    return hw_presence_inverted > 0.5 ? 1.0 - presence : presence;
+    return hw_presence_at(s.position_world.y);
 #else
     return 1.0;
 #endif
@@ -257,5 +252,8 @@ float hw_presence(HwSurface s)
 // a style that lies over another by its presence.
 void hw_output(vec3 colour_linear, float alpha)
 {
+#ifdef HW_PRESENCE_BLENDS
+    alpha *= hw_presence_at(hw_v_position_relative.y + hw_eye_world.y);
+#endif
     hw_fragment = vec4(colour_linear, alpha);
 }
