@@ -1,0 +1,114 @@
+// Pen and ink: paper faces, lines in object space, and hatching that stays on the object.
+#include <array>
+#include <cmath>
+
+#include "style/style.hpp"
+
+namespace {
+
+enum Tone { kNoTone, kPlain, kShaded };
+constexpr std::array<std::string_view, 3> kTones{"none", "plain", "shaded"};
+constexpr float kDegree = 0.017453293f;
+
+class PenAndInk final : public hw::Style {
+ public:
+    void visit_params(hw::ParamVisitor& visitor) override
+    {
+        visit_lines(visitor);
+        visitor.choice({"tone", "What fills faces: nothing, even hatching by the hatch map, or hatching by light and shadow.",
+                        hw::ParamChange::rebuild}, tone_, kTones);
+        visitor.real({"spacing_px", "Between hatching strokes."}, spacing_px_, 2.0f, 64.0f);
+        visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
+        visitor.real({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_deg_, -90.0f, 90.0f);
+        visitor.real({"cross_deg", "From the first direction to the one that crosses it."}, cross_deg_, 10.0f, 90.0f);
+        visitor.real({"stroke_length_px", "Mean length of strokes; 0 rules endless lines."}, stroke_length_px_, 0.0f, 1000.0f);
+        visitor.real({"wobble_px", "How far a stroke strays sideways."}, wobble_px_, 0.0f, 4.0f);
+        visitor.real({"darkness", "Ink coverage of the darkest shadow."}, darkness_, 0.0f, 1.0f);
+        visitor.real({"white_from", "Light above which paper stays white."}, white_from_, 0.05f, 1.0f);
+        visitor.real({"shadow_below", "Light below which hatching is darkest."}, shadow_below_, 0.0f, 0.95f);
+        visitor.real({"material_tone", "How much dark materials darken the hatching."}, material_tone_, 0.0f, 1.0f);
+        visitor.real({"shade", "Smooth gray shade under the ink."}, shade_, 0.0f, 1.0f);
+        visitor.colour({"paper_colour", "Colour of faces."}, paper_);
+        visitor.colour({"ink_colour", "Colour of lines and hatching."}, ink_);
+        visitor.real({"paper_from_material", "Share of the material's colour in the paper's."}, paper_from_material_, 0.0f, 1.0f);
+        visitor.real({"ink_from_material", "Share of the material's colour in the hatching's."}, ink_from_material_, 0.0f, 1.0f);
+        visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the paper's colour."}, uncertain_);
+        visitor.map({"hatch", "Hatch map of tone plain, where the level assigns none.", hw::ParamChange::rebuild}, hatch_,
+                    hw::MapKind::hatch);
+        visitor.map({"ink", "Ink map: drawn detail such as courses of stone.", hw::ParamChange::rebuild}, ink_map_,
+                    hw::MapKind::ink);
+        visitor.real({"ink_map_strength", "Of the ink map; 0 hides it."}, ink_map_strength_, 0.0f, 1.0f);
+    }
+
+    hw::Needs needs() const override
+    {
+        hw::Needs needs;
+        needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
+        needs.streams.hatch_uv = true;
+        needs.shadow = tone_ == kShaded || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
+        if (tone_ == kPlain && !hatch_.value.empty()) needs.maps[hw::MapKind::hatch] = hatch_;
+        if (!ink_map_.value.empty()) needs.maps[hw::MapKind::ink] = ink_map_;
+        return needs;
+    }
+
+    void prepare(hw::ProgramCache& programs) override
+    {
+        constexpr std::array<std::string_view, 3> kDefines{"", "#define TONE_PLAIN 1\n", "#define TONE_SHADED 1\n"};
+        program_ = programs.surface("pen_and_ink.frag", kDefines[tone_]);
+    }
+
+    void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
+    {
+        hw::Uniforms uniforms;
+        uniforms.set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, stroke_length_px_, wobble_px_))
+            .set("hatch_angles", glm::vec2(hatch_deg_, cross_deg_) * kDegree)
+            .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, material_tone_))
+            .set("paper_colour", paper_)
+            .set("ink_colour", ink_)
+            .set("uncertain_colour", uncertain_)
+            .set("from_material", glm::vec2(paper_from_material_, ink_from_material_))
+            .set("shade", shade_)
+            .set("ink_map_strength", ink_map_strength_);
+        pass.surfaces(program_, uniforms, items);
+    }
+
+    void lines(hw::Pass& pass, std::span<const hw::DrawItem> items) override
+    {
+        using hw::LineClass;
+        hw::LineLook look;
+        look.width_px.fill(line_width_px_);
+        look.width_px[int(LineClass::silhouette)] = silhouette_width_px_;
+        look.width_px[int(LineClass::border)] = silhouette_width_px_;
+        look.colour.fill(ink_);
+        look.crease_rad = crease_deg_ * kDegree;
+        look.depth_taper = depth_taper_;
+        look.far.is_on = is_far_thinned_;
+        pass.lines(look, items);
+    }
+
+ private:
+    void visit_lines(hw::ParamVisitor& visitor)
+    {
+        visitor.real({"crease_deg", "Edges folded by more than this are drawn from every viewpoint.",
+                      hw::ParamChange::rebuild}, crease_deg_, 1.0f, 180.0f);
+        visitor.real({"line_width_px", "Width of creases and of edges that the artist marked."}, line_width_px_, 0.0f, 16.0f);
+        visitor.real({"silhouette_width_px", "Width of silhouettes and borders."}, silhouette_width_px_, 0.0f, 16.0f);
+        visitor.real({"depth_taper", "1 thins lines with distance, 0 keeps their width."}, depth_taper_, 0.0f, 1.0f);
+        visitor.flag({"far_thinning", "Fades crowded lines of far objects, so that they do not turn black."}, is_far_thinned_);
+    }
+
+    float crease_deg_ = 40.0f, line_width_px_ = 1.1f, silhouette_width_px_ = 1.8f, depth_taper_ = 0.0f;
+    bool is_far_thinned_ = true;
+    int tone_ = kShaded;
+    float spacing_px_ = 5.5f, stroke_width_px_ = 1.0f, stroke_length_px_ = 90.0f, wobble_px_ = 0.5f;
+    float hatch_deg_ = 52.0f, cross_deg_ = 70.0f;
+    float darkness_ = 0.62f, white_from_ = 0.78f, shadow_below_ = 0.18f, material_tone_ = 0.35f, shade_ = 0.0f;
+    glm::vec3 paper_{0.99f, 0.98f, 0.95f}, ink_{0.09f, 0.08f, 0.08f}, uncertain_{0.99f, 0.98f, 0.95f};
+    float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f;
+    hw::MapName hatch_{"fine"}, ink_map_;
+    hw::Program program_;
+};
+
+}  // namespace
+
+HW_STYLE(pen_and_ink, "Paper faces, ink lines, hatch and ink maps, hatching by light and shadow", PenAndInk)

@@ -1,0 +1,12 @@
+#include "surface.glsl"
+#include "shadow.glsl"
+#include "lighting.glsl"
+#include "hatch.glsl"
+#include "ink.glsl"
+
+void main()
+{
+    HwSurface surface = hw_surface();
+    HwMaterial material = hw_material(surface);
+    hw_output(hw_pen_and_ink(surface, material), material.alpha * hw_presence(surface));
+}

@@ -1,0 +1,16 @@
+#include "surface.glsl"
+#include "shadow.glsl"
+#include "lighting.glsl"
+
+uniform float brightness;
+uniform float saturation;
+uniform vec3 tint;  // sRGB
+
+void main()
+{
+    HwSurface surface = hw_surface();
+    HwMaterial material = hw_material(surface);
+    vec3 colour = hw_display(brightness * hw_lit(surface, material));
+    colour = max(mix(vec3(hw_luminance(colour)), colour, saturation), 0.0) * hw_linear(tint);
+    hw_output(colour, material.alpha * hw_presence(surface));
+}

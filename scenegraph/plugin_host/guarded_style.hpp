@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "style/style.hpp"
+
+namespace hw {
+
+/// A neutral gray drawing without lines: what the host draws when a style fails.
+class PlainStyle final : public Style {
+ public:
+    Needs needs() const override { return {}; }
+    void prepare(ProgramCache& programs) override;
+    void surfaces(Pass& pass, Layer layer, std::span<const DrawItem> items) override;
+
+ private:
+    Program program_;
+};
+
+/// A plugin's style in the hands of the renderer, which knows no plugin: when the style throws while drawing, that is
+/// logged once and `fallback` draws from then on.
+class GuardedStyle final : public Style {
+ public:
+    /// `style` is prepared and so is `fallback`, which must outlive this.
+    GuardedStyle(std::string name, std::unique_ptr<Style> style, Style& fallback);
+
+    /// Takes a fresh prepared instance; forgets the failure of the last.
+    void replace(std::unique_ptr<Style> style);
+    /// Why the style no longer draws; empty when it does.
+    const std::string& failure() const { return failure_; }
+
+    void visit_params(ParamVisitor& visitor) override;
+    Needs needs() const override { return needs_; }
+    void prepare(ProgramCache&) override {}
+    void images(Pass& pass, std::span<const DrawItem> items) override;
+    void surfaces(Pass& pass, Layer layer, std::span<const DrawItem> items) override;
+    void lines(Pass& pass, std::span<const DrawItem> items) override;
+
+ private:
+    template <typename Call>
+    void attempt(const char* doing, Call&& call);
+
+    std::string name_;
+    std::unique_ptr<Style> style_;
+    Style& fallback_;
+    Needs needs_;  ///< Asked once: they depend on the parameters alone.
+    std::string failure_;
+};
+
+/// The same for an image pass: after a failure it makes no image, and styles draw without.
+class GuardedImagePass final : public ImagePass {
+ public:
+    GuardedImagePass(std::string name, std::unique_ptr<ImagePass> pass);
+
+    Needs needs() const override { return needs_; }
+    void prepare(ProgramCache&) override {}
+    Image make(Pass& pass) override;
+
+ private:
+    std::string name_;
+    std::unique_ptr<ImagePass> pass_;
+    Needs needs_;
+    bool has_failed_ = false;
+};
+
+}  // namespace hw

@@ -1,0 +1,147 @@
+// Ink that keeps its width and its tone on the screen at any distance and angle, and stays on the object. Include after
+// surface.glsl. "Ink" is coverage in linear light: 0 paper, 1 ink. Lengths ending in _px are logical pixels.
+//
+// One idea serves lines, strokes and maps: things stand at multiples of a power of two on the surface, and every octave of
+// distance drops each second one. Those thin out while the octave passes, so that tone stays the same all the while.
+// Source: Freudenberg, Masuch, Strothotte. Walk-Through Illustrations. Eurographics 2001, section 3.2.
+
+const float kHwHatchMapSpacing = 8.0;   // texels between two lines of a hatch map, at every level
+const float kHwHatchTexel = 0.0009765625;  // metres of a hatch map's finest texel: 1 / 1024
+
+// 0 to 1 from a number that names a line. Exact: positions are multiples of powers of two.
+float hw_hash(float key, uint salt)
+{
+    uint h = (key == 0.0 ? 0u : floatBitsToUint(key)) + salt * 0x9e3779b9u;
+    h = h * 747796405u + 2891336453u;
+    h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
+    return float(((h >> 22u) ^ h) >> 8u) * (1.0 / 16777216.0);
+}
+
+// Splits the distance between two things on the surface into a power of two, `cell`, and the share of the octave, `f`.
+float hw_octave(float wanted, out float f)
+{
+    float level = log2(clamp(wanted, 1e-12, 1e12));
+    f = fract(level);
+    return exp2(floor(level));
+}
+
+// The size of what each second thing keeps, from 1 to 0 over an octave: 2^(1-f) - 1 keeps the sum constant, since the
+// spacing on the screen shrinks by 2^-f.
+float hw_thinning(float f) { return exp2(1.0 - f) - 1.0; }
+
+// Ink of a line `width` device pixels wide whose middle is `distance` device pixels away: a box filter one pixel wide.
+float hw_line_ink(float width, float distance) { return clamp(0.5 * width + 0.5 - distance, 0.0, min(width, 1.0)); }
+
+// How a hand draws strokes. All 0: ruled lines without end.
+struct HwHand {
+    float length_px;  // of a stroke; 0: endless
+    float gap_px;     // between two strokes of a line
+    float wobble_px;  // sideways
+    float pressure;   // 0 to 1, change of width along the stroke
+};
+
+// Ink of parallel strokes. `st`: across and along the strokes, on the surface, metres; st_dx and st_dy its derivatives in the
+// picture. `tone` is the ink coverage that is wanted, at most 1.
+float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, HwHand hand)
+{
+    float across = max(length(vec2(st_dx.x, st_dy.x)), 1e-12);  // metres per device pixel
+    float along = max(length(vec2(st_dx.y, st_dy.y)), 1e-12);
+    float f;
+    float cell = hw_octave(spacing_px * hw_px_scale * across, f);
+    float index = floor(st.x / cell + 0.5);
+    float line = index * cell;
+    bool is_odd = fract(index * 0.5) > 0.25;
+    float width = tone * spacing_px * hw_px_scale * (is_odd ? hw_thinning(f) : 1.0);
+    float offset = 0.0;
+    if (hand.length_px > 0.0) {
+        float g;
+        float piece = hw_octave(hand.length_px * hw_px_scale * along, g);
+        float t = st.y + 64.0 * hw_hash(line, 1u);
+        float end_index = floor(t / piece + 0.5);
+        float to_end = abs(t - end_index * piece) / (along * hw_px_scale);
+        float taper = smoothstep(0.5 * hand.gap_px, 3.0 * hand.gap_px, to_end);
+        bool is_odd_end = fract(end_index * 0.5) > 0.25;
+        taper = mix(1.0, taper, is_odd_end ? hw_thinning(g) : 1.0);
+        float phase = 6.2831853 * hw_hash(line, 2u);
+        float wave = mix(sin(t / piece * 4.3 + phase), sin(t / piece * 2.15 + phase), g);
+        // The share of a stroke that gap and taper take away, given back as width so that tone stays what was asked.
+        float kept = 1.0 - clamp(3.5 * hand.gap_px / hand.length_px, 0.0, 0.5) * (0.5 + 0.5 * hw_thinning(g));
+        width *= taper / kept * (1.0 + hand.pressure * wave);
+        offset = hand.wobble_px * hw_px_scale * wave;
+    }
+    return hw_line_ink(width, abs((st.x - line) / across + offset));
+}
+
+// Turns coordinates and their derivatives: x runs across strokes of direction `angle` (radians, 0: along u).
+void hw_turn(float angle, vec2 uv, vec2 dx, vec2 dy, out vec2 st, out vec2 st_dx, out vec2 st_dy)
+{
+    float c = cos(angle);
+    float s = sin(angle);
+    mat2 turn = mat2(-s, c, c, s);
+    st = turn * uv;
+    st_dx = turn * dx;
+    st_dy = turn * dy;
+}
+
+struct HwHatching {
+    float spacing_px;   // between strokes of one direction where it is full
+    float width_px;     // of a stroke
+    float angle;        // radians, of the first direction
+    float cross_angle;  // radians, from the first direction to the second
+    HwHand hand;
+};
+
+// Tonal hatching: `tone` is ink coverage. The first direction carries light tones, its strokes wide apart, then closer; the
+// second crosses it in half-tones, a third in the dark, where strokes grow wider at last. So six tones, with everything
+// between them, and a darker tone keeps all strokes of a lighter one.
+float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
+{
+    float full = clamp(h.width_px / h.spacing_px, 0.02, 0.9);  // ink of a direction whose strokes are closest
+    float wanted = 1.0 - clamp(tone, 0.0, 0.98);               // paper that stays
+    float mean = 1.0;
+    float paper = 1.0;
+    for (int layer = 0; layer < 3; ++layer) {
+        float ink = 1.0 - wanted / mean;
+        if (ink < 0.004) break;
+        if (layer < 2) ink = min(ink, full);
+        float turned = layer == 2 ? 0.38 * h.cross_angle : float(layer) * h.cross_angle;
+        vec2 st, st_dx, st_dy;
+        hw_turn(h.angle + turned, s.hatch_uv, s.hatch_uv_dx, s.hatch_uv_dy, st, st_dx, st_dy);
+        float spacing = h.spacing_px * clamp(full / ink, 1.0, 4.0);
+        paper *= 1.0 - hw_strokes(st, st_dx, st_dy, spacing, ink, h.hand);
+        mean *= 1.0 - ink;
+    }
+    return 1.0 - paper;
+}
+
+// One texel row or plane of a map, blended between the two levels nearest to `level`. Maps hold ink coverage, each level
+// drawn by its maker, so levels are chosen here: what the hardware would take depends on its filters.
+float hw_map_ink(sampler2D map, vec2 at, float level)
+{
+    float finer = floor(level);
+    return mix(textureLod(map, at, finer).r, textureLod(map, at, finer + 1.0).r, level - finer);
+}
+
+// Ink of a hatch map along `u` metres; `u_d`: its derivatives in the picture. Every level draws a line each
+// kHwHatchMapSpacing texels. Nearer than the finest level and farther than the coarsest that still separates lines, the
+// map is scaled by octaves: lines of the next octave lie exactly on each second one, so that is seamless.
+float hw_hatch_map_ink(sampler2D map, float level_count, float u, vec2 u_d, float spacing_px)
+{
+    float texel_px = spacing_px * hw_px_scale / kHwHatchMapSpacing;
+    float level = log2(max(length(u_d), 1e-12) * texel_px / kHwHatchTexel);
+    float coarsest = max(level_count - 6.0, 0.0);  // 1, 2, 4, 8 and 16 texels are too few to separate lines
+    float shift = floor(level) - clamp(floor(level), 0.0, coarsest);
+    float width = float(textureSize(map, 0).x);
+    float at = u * exp2(-shift) / (kHwHatchTexel * width);
+    return hw_map_ink(map, vec2(fract(at), 0.5), level - shift);
+}
+
+// Ink of a 2-D map at `at` (1 is the whole map); dx and dy its derivatives in the picture. The level follows the direction
+// in which the map is seen shortest: strokes keep their width there and never run together.
+float hw_ink_map_ink(sampler2D map, float level_count, vec2 at, vec2 at_dx, vec2 at_dy, float sharpness)
+{
+    vec2 size = vec2(textureSize(map, 0));
+    float texels = max(length(at_dx * size), length(at_dy * size)) * hw_px_scale;
+    float level = clamp(log2(max(texels, 1e-12)) - sharpness, 0.0, level_count - 1.0);
+    return hw_map_ink(map, at, min(level, level_count - 1.001));
+}

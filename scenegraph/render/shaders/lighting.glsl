@@ -1,0 +1,129 @@
+// Light on a surface, shared by all styles. Include after surface.glsl and shadow.glsl. Illuminance is in lux, luminance in
+// candela per square metre; hw_display() makes colours of the picture of it.
+
+const float kHwPi = 3.14159265;
+
+// The luminance that the picture's exposure shows as middle white, before the tone curve: hw_exposure is its inverse.
+const vec3 kHwLuminanceWeights = vec3(0.2126, 0.7152, 0.0722);
+
+float hw_luminance(vec3 colour_linear) { return dot(colour_linear, kHwLuminanceWeights); }
+
+// Colours in level files are sRGB.
+vec3 hw_linear(vec3 srgb)
+{
+    return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
+}
+
+// Light i at the surface: illuminance of a face that looks at it, lux. `to_light` is unit.
+vec3 hw_illuminance(HwSurface s, int i, out vec3 to_light)
+{
+    float kind = hw_light_position[i].w;
+    if (kind < 0.5) {
+        to_light = -hw_light_direction[i].xyz;
+        return hw_light_colour[i].rgb;
+    }
+    vec3 d = hw_light_position[i].xyz - s.position_world;
+    float distance_squared = max(dot(d, d), 1e-4);
+    to_light = d * inversesqrt(distance_squared);
+    float falloff = 1.0 / distance_squared;
+    float range = hw_light_direction[i].w;
+    if (range > 0.0) {  // as KHR_lights_punctual recommends
+        float share = distance_squared / (range * range);
+        falloff *= clamp(1.0 - share * share, 0.0, 1.0);
+    }
+    if (kind > 1.5) {
+        float cone = clamp(dot(hw_light_direction[i].xyz, -to_light) * hw_light_cone[i].x + hw_light_cone[i].y, 0.0, 1.0);
+        falloff *= cone * cone;
+    }
+    return hw_light_colour[i].rgb * falloff;
+}
+
+// Light from all around, luminance: what a matte white face with this normal reflects of it. Ground light fades in
+// softly below the horizon, so that no face is black.
+vec3 hw_ambient(vec3 normal_world)
+{
+    float up = 0.5 + 0.5 * normal_world.y;
+    return mix(hw_ambient_ground.rgb, hw_ambient_sky.rgb, up * up * (3.0 - 2.0 * up));
+}
+
+// The surroundings as a mirror of some roughness sees them: ground, a bright band at the horizon, sky. Luminance.
+vec3 hw_surroundings(vec3 direction, float roughness)
+{
+    float blur = mix(0.06, 0.9, roughness);
+    float sky = smoothstep(-blur, blur, direction.y);
+    float horizon = exp(-abs(direction.y) * 6.0) * (1.0 - roughness);
+    vec3 zenith = hw_ambient_sky.rgb * mix(1.25, 1.0, roughness);
+    return mix(hw_ambient_ground.rgb, mix(zenith, vec3(hw_luminance(zenith)) * 1.5, horizon), sky);
+}
+
+// GGX with Smith's visibility in Hammon's approximation, and Schlick's Fresnel term.
+vec3 hw_specular(vec3 n, vec3 to_eye, vec3 to_light, vec3 f0, float alpha)
+{
+    vec3 h = normalize(to_eye + to_light);
+    float n_h = max(dot(n, h), 0.0);
+    float n_l = max(dot(n, to_light), 0.0);
+    float n_v = abs(dot(n, to_eye)) + 1e-4;
+    float a2 = alpha * alpha;
+    float d = n_h * n_h * (a2 - 1.0) + 1.0;
+    float distribution = a2 / (kHwPi * d * d);
+    float visibility = 0.5 / max(mix(2.0 * n_l * n_v, n_l + n_v, alpha), 1e-4);
+    vec3 fresnel = f0 + (1.0 - f0) * pow(clamp(1.0 - dot(to_eye, h), 0.0, 1.0), 5.0);
+    return fresnel * (distribution * visibility);
+}
+
+// What the material sends to the eye, luminance.
+vec3 hw_lit(HwSurface s, HwMaterial m)
+{
+#ifdef HW_UNLIT
+    return m.base_colour / hw_exposure;
+#else
+    vec3 n = m.normal_world;
+    float roughness = clamp(m.roughness, 0.08, 1.0);
+    float alpha = roughness * roughness;
+    vec3 f0 = mix(vec3(0.04), m.base_colour, m.metallic);
+    vec3 diffuse = m.base_colour * (1.0 - m.metallic);
+    int main_light = int(hw_shadow_params.z + 0.5);
+    vec3 result = m.emissive / hw_exposure;
+    for (int i = 0; i < HW_LIGHT_COUNT; ++i) {
+        vec3 to_light;
+        vec3 illuminance = hw_illuminance(s, i, to_light) * max(dot(n, to_light), 0.0);
+        if (i == main_light && hw_shadow_params.w > 0.5) illuminance *= hw_shadow(s);
+        result += illuminance * (diffuse / kHwPi + hw_specular(n, s.to_eye_world, to_light, f0, alpha));
+    }
+    float n_v = clamp(dot(n, s.to_eye_world), 0.0, 1.0);
+    // Karis' fit of the split-sum table: reflection of an even surrounding by a rough surface.
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float a004 = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
+    vec2 ab = vec2(-1.04, 1.04) * a004 + r.zw;
+    vec3 reflected = hw_surroundings(reflect(-s.to_eye_world, n), roughness) * (f0 * ab.x + ab.y);
+    return result + m.occlusion * (diffuse * hw_ambient(n) + reflected);
+#endif
+}
+
+// Luminance to a colour of the picture, linear, 1 is paper white: exposure, then a curve with a soft shoulder and toe
+// (Narkowicz's fit of the ACES curve).
+vec3 hw_display(vec3 luminance)
+{
+#ifdef HW_UNLIT
+    return luminance * hw_exposure;
+#else
+    vec3 x = luminance * (0.75 * hw_exposure);
+    return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+#endif
+}
+
+// How light a matte white face would look here, 0 to 1, even to the eye (a gray of the picture, not linear light): what
+// hatching, cartoon steps and shade go by. `shadow_depth`: 1 lets the main light's shadow count in full.
+float hw_light_tone(HwSurface s, vec3 normal_world)
+{
+    vec3 luminance = hw_ambient(normal_world);
+    int main_light = int(hw_shadow_params.z + 0.5);
+    for (int i = 0; i < HW_LIGHT_COUNT; ++i) {
+        vec3 to_light;
+        vec3 illuminance = hw_illuminance(s, i, to_light) * max(dot(normal_world, to_light), 0.0);
+        if (i == main_light && hw_shadow_params.w > 0.5) illuminance *= hw_shadow(s);
+        luminance += illuminance / kHwPi;
+    }
+    float x = hw_luminance(luminance) * hw_exposure;
+    return sqrt(clamp(1.0 - exp(-1.6 * x), 0.0, 1.0));
+}
