@@ -6,16 +6,17 @@
 
 namespace hw {
 
-/// What an edge can add to a line drawing, decided before any view is known. Within each of the last three groups edges
-/// stand by falling fold, so that the creases of any crease angle are the beginnings of these groups.
+/// What an edge can add to a line drawing, decided before any view is known. In all groups but the first, edges stand by
+/// falling fold, so that the creases of any crease angle are the beginnings of these groups.
 enum class EdgeGroup : std::uint8_t {
     border,         ///< One face, or more than two: drawn from every viewpoint.
-    artist,         ///< Two faces, marked by the artist or by split normals: drawn from every viewpoint.
+    artist_convex,  ///< Two faces, marked by the artist or by split normals: drawn from every viewpoint.
+    artist_reflex,  ///< The same, reflex or flat.
     convex,         ///< Two faces, strictly convex: a ridge, or a contour candidate when smooth.
     reflex,         ///< Two faces, reflex, no right to the reflex rule: a valley, or a contour candidate when smooth.
     reflex_silent,  ///< Reflex with that right, or flat: a valley, or never drawn when smooth.
 };
-inline constexpr int kEdgeGroupCount = 5;
+inline constexpr int kEdgeGroupCount = 6;
 
 /// A run of edge ids.
 struct EdgeRange {
@@ -24,6 +25,7 @@ struct EdgeRange {
     std::uint32_t size() const { return end - begin; }
 };
 
+/// No face beyond a border.
 inline constexpr std::uint32_t kNoFace = 0xffffffffu;
 
 /// All edges of a surface. An edge id is a place in this table. 16 bytes an edge.
@@ -49,13 +51,18 @@ struct Surface;
 /// The table cut at one crease angle. Ranges of ids, nothing is copied.
 struct EdgeClasses {
     EdgeRange borders;
-    EdgeRange artist;
-    EdgeRange ridges;                     ///< Convex creases.
-    std::array<EdgeRange, 2> valleys;     ///< Reflex creases.
+    std::array<EdgeRange, 2> ridges;      ///< Convex creases, the artist's among them.
+    std::array<EdgeRange, 3> valleys;     ///< Reflex creases, the artist's among them.
+    std::array<EdgeRange, 2> artist;      ///< The artist's edges that are no creases by their fold.
     std::array<EdgeRange, 2> candidates;  ///< Contours where one face looks at the eye and the other does not.
     EdgeRange silent;                     ///< Never drawn.
 
-    std::uint32_t crease_count() const { return ridges.size() + valleys[0].size() + valleys[1].size(); }
+    /// Drawn from every viewpoint beside borders: ridges, valleys and artist's edges.
+    std::uint32_t crease_count() const
+    {
+        return ridges[0].size() + ridges[1].size() + valleys[0].size() + valleys[1].size() + valleys[2].size() +
+               artist[0].size() + artist[1].size();
+    }
     std::uint32_t candidate_count() const { return candidates[0].size() + candidates[1].size(); }
 };
 
@@ -65,5 +72,6 @@ EdgeClasses classes_at(const Surface& surface, float crease_rad);
 
 /// The angle between the normals of the two faces of an edge, in [0, pi]; 0 where a face has no plane or is missing.
 float fold_rad(const Surface& surface, std::uint32_t edge);
+float fold_rad(const Surface& surface, std::uint32_t face_a, std::uint32_t face_b);
 
 }  // namespace hw

@@ -1,0 +1,71 @@
+#include "geometry/half_edge_mesh.hpp"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+
+#include "core/error.hpp"
+
+namespace hw {
+namespace {
+
+struct Traits : OpenMesh::DefaultTraits {
+    FaceAttributes(OpenMesh::Attributes::Normal);
+};
+
+using TriMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+
+}  // namespace
+
+struct HalfEdgeMesh::Mesh {
+    TriMesh tri;
+    std::uint32_t duplicated = 0;
+};
+
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface) : mesh_(std::make_unique<Mesh>())
+{
+    TriMesh& tri = mesh_->tri;
+    tri.reserve(surface.positions.size(), surface.faces.size() * 3 / 2, surface.faces.size());
+    for (const glm::vec3& p : surface.positions) tri.add_vertex({p.x, p.y, p.z});
+    // A refused face is no error here, so OpenMesh's report of it must not reach the user.
+    const bool was_enabled = omerr().is_enabled();
+    omerr().disable();
+    for (const auto& [a, b, c] : surface.faces) {
+        if (tri.add_face(tri.vertex_handle(a), tri.vertex_handle(b), tri.vertex_handle(c)).is_valid()) continue;
+        std::array<TriMesh::VertexHandle, 3> copies;
+        const std::array<std::uint32_t, 3> corners{a, b, c};
+        for (int i = 0; i < 3; ++i) copies[i] = tri.add_vertex(tri.point(tri.vertex_handle(corners[i])));
+        mesh_->duplicated += 3;
+        HW_ASSERT(tri.add_face(copies[0], copies[1], copies[2]).is_valid());
+    }
+    if (was_enabled) omerr().enable();
+    tri.update_face_normals();
+}
+
+HalfEdgeMesh::~HalfEdgeMesh() = default;
+HalfEdgeMesh::HalfEdgeMesh(HalfEdgeMesh&&) noexcept = default;
+HalfEdgeMesh& HalfEdgeMesh::operator=(HalfEdgeMesh&&) noexcept = default;
+
+std::uint32_t HalfEdgeMesh::face_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_faces()); }
+std::uint32_t HalfEdgeMesh::vertex_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_vertices()); }
+std::uint32_t HalfEdgeMesh::edge_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_edges()); }
+std::uint32_t HalfEdgeMesh::duplicated_vertices() const { return mesh_->duplicated; }
+
+void HalfEdgeMesh::plain_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges) const
+{
+    edges.clear();
+    const TriMesh& tri = mesh_->tri;
+    const TriMesh::Point eye(static_cast<float>(viewpoint_object.eye.x), static_cast<float>(viewpoint_object.eye.y),
+                             static_cast<float>(viewpoint_object.eye.z));
+    for (const auto edge : tri.edges()) {
+        const auto side_a = tri.halfedge_handle(edge, 0), side_b = tri.halfedge_handle(edge, 1);
+        if (tri.is_boundary(side_a) || tri.is_boundary(side_b)) continue;
+        const TriMesh::Point middle =
+            (tri.point(tri.to_vertex_handle(side_a)) + tri.point(tri.to_vertex_handle(side_b))) * 0.5f;
+        const TriMesh::Point to_viewer = viewpoint_object.is_orthographic ? eye : eye - middle;
+        const bool a = dot(tri.normal(tri.face_handle(side_a)), to_viewer) > 0.0f;
+        const bool b = dot(tri.normal(tri.face_handle(side_b)), to_viewer) > 0.0f;
+        if (a != b) edges.push_back(edge.idx());
+    }
+}
+
+}  // namespace hw
