@@ -7,7 +7,8 @@ from mesh_kit import Solid, arch_outline, box, carve_mesh, lathe, loft, make_mes
 EAVE = 5.2                           # of the lower ranges
 HALL_OUT_X, HALL_OUT_Y = plan.HALL_X + plan.WALL, plan.HALL_Y + plan.WALL
 EAST_RANGE_X = (plan.COURT_X[1], 29.0)
-NORTH_RANGE_Y = (plan.COURT_Y[1], 18.0)
+NORTH_RANGE_Y = (plan.COURT_Y[1], 17.8)
+EAST_RANGE_END = 18.0
 TILE_SLAB = 0.2
 
 
@@ -31,17 +32,18 @@ def _roof(path, name, centre, turn, half_width, length, eave, ridge, overhang=0.
     slabs = prism(gable_roof(half_width, eave, ridge, overhang), "y", -length / 2 - 0.25, length / 2 + 0.25)
     slabs.merge(_ridge_tiles(length + 0.56), (0, 0, ridge + TILE_SLAB * 1.5 + 0.02))
     place(f"{path}/Roof_Tiles{name}", make_mesh(f"Roof_Tiles{name}", slabs, "Roof_Tile"), centre, turn)
-    inner = [(-half_width, eave - 0.05), (half_width, eave - 0.05), (half_width, eave + 0.02), (0.0, ridge + 0.05), (-half_width, eave + 0.02)]
-    gables = prism(inner, "y", -length / 2, -length / 2 + 0.6).merge(prism(inner, "y", length / 2 - 0.6, length / 2))
+    half, end = half_width - 0.02, length / 2 - 0.02
+    inner = [(-half, eave - 0.3), (half, eave - 0.3), (half, eave + 0.02), (0.0, ridge + 0.05), (-half, eave + 0.02)]
+    gables = prism(inner, "y", -end, 0.6 - end).merge(prism(inner, "y", end - 0.6, end))
     place(f"{path}/Gables{name}", make_mesh(f"Gables{name}", gables, "Stone"), centre, turn)
 
 
 def _roofs():
     _roof("Hall", "", (0, 0, 0), 0, HALL_OUT_X, 2 * HALL_OUT_Y, 10.05, 17.8)
     (x0, x1), (y0, y1) = EAST_RANGE_X, NORTH_RANGE_Y
-    south = plan.COURT_Y[0] - 0.8
-    _roof("Courtyard", "_East", ((x0 + x1) / 2, (south + y1) / 2, 0), 0, (x1 - x0) / 2, y1 - south, EAVE, EAVE + 3.5)
-    west = HALL_OUT_X - 0.5
+    south, north = plan.COURT_Y[0] - 0.8, EAST_RANGE_END
+    _roof("Courtyard", "_East", ((x0 + x1) / 2, (south + north) / 2, 0), 0, (x1 - x0) / 2, north - south, EAVE, EAVE + 3.5)
+    west = HALL_OUT_X + 0.2
     _roof("Courtyard", "_North", ((west + x0 + 2.2) / 2, (y0 + y1) / 2, 0), 90, (y1 - y0) / 2, x0 + 2.2 - west, EAVE + 0.01, EAVE + 3.42)
 
 
@@ -51,10 +53,11 @@ def _niche(half, sill, spring, rise, depth):
     return prism(arch_outline(half, sill, spring, rise, 3), "y", -0.3, depth)
 
 
-def _range_body(name, bounds, face_axis, face_at, niches):
-    """A closed block with blind openings in its courtyard face."""
+def _range_body(name, bounds, heights, face, niches):
+    """A closed block with blind openings in its courtyard face, which lies at x or y = a value."""
     x0, x1, y0, y1 = bounds
-    body = box(x0, x1, y0, y1, plan.FOUNDATION, EAVE)
+    (z0, z1), (face_axis, face_at) = heights, face
+    body = box(x0, x1, y0, y1, z0, z1)
     turn = {"x": -90.0, "y": 0.0}[face_axis]
     cutters = []
     for along, sizes in niches:
@@ -65,15 +68,15 @@ def _range_body(name, bounds, face_axis, face_at, niches):
 
 LOW_WINDOW = (0.42, 0.95, 1.75, 0.55, 0.35)
 HIGH_WINDOW = (0.40, 3.2, 4.0, 0.5, 0.35)
-BLIND_DOOR = (0.65, plan.COURT_Z, 1.75, 0.75, 0.30)
+BLIND_DOOR = (0.65, plan.COURT_Z + 0.07, 1.75, 0.75, 0.30)
 
 
 def _ranges():
     (x0, x1), (y0, y1) = EAST_RANGE_X, NORTH_RANGE_Y
     low = [(y, BLIND_DOOR if y == 0 else LOW_WINDOW) for y in (-8, -4, 0, 4, 8)]
-    _range_body("East", (x0, x1, plan.COURT_Y[0] - 0.8, y1), "x", x0, low)
+    _range_body("East", (x0, x1, plan.COURT_Y[0] - 0.8, EAST_RANGE_END), (-0.62, EAVE), ("x", x0), low)
     row = [(x, BLIND_DOOR if x == 15 else LOW_WINDOW) for x in (10, 15, 20)] + [(x, HIGH_WINDOW) for x in (10, 12.5, 15, 17.5, 20)]
-    _range_body("North", (HALL_OUT_X - 0.4, x0 + 0.1, y0, y1 - 0.1), "y", y0, row)
+    _range_body("North", (HALL_OUT_X - 0.05, x0 + 0.1, y0, y1), (-0.58, EAVE - 0.02), ("y", y0), row)
     _leaf_doors(x0, y0)
     _timber_frame(x0)
 
@@ -95,11 +98,11 @@ def _beam_between(a, b, half=0.10, depth=0.10):
 
 def _timber_frame(face_x):
     """The upper storey of the east range: plaster panels between oak timbers, jettied a little."""
-    y0, y1, z0, z1 = plan.COURT_Y[0], plan.COURT_Y[1], 2.95, EAVE - 0.02
-    plaster = box(face_x - 0.16, face_x + 0.05, y0 - 0.75, y1 + 0.02, z0, z1)
+    y0, y1, z0, z1 = plan.COURT_Y[0] + 0.25, plan.COURT_Y[1], 2.95, EAVE - 0.02
+    plaster = box(face_x - 0.16, face_x + 0.05, y0 + 0.05, y1 + 0.02, z0, z1)
     place("Courtyard/Upper_Storey", make_mesh("Upper_Storey", plaster, "Plaster"))
-    frame = box(face_x - 0.30, face_x - 0.02, y0 - 0.8, y1 + 0.01, z0 - 0.14, z0 + 0.12)
-    frame.merge(box(face_x - 0.27, face_x - 0.02, y0 - 0.79, y1 + 0.012, z1 - 0.22, z1 - 0.01))
+    frame = box(face_x - 0.30, face_x - 0.02, y0, y1 + 0.01, z0 - 0.14, z0 + 0.12)
+    frame.merge(box(face_x - 0.27, face_x - 0.02, y0 + 0.01, y1 + 0.012, z1 - 0.22, z1 - 0.01))
     for i in range(9):
         y = -10.8 + 2.7 * i
         frame.merge(_beam_between((y, z0 + 0.05), (y, z1 - 0.1)), (face_x - 0.15, 0, 0))
@@ -114,7 +117,7 @@ def _timber_frame(face_x):
 
 def _buttresses():
     """Stepped buttresses between the hall's windows and at its corners."""
-    steps = [(-0.1, -0.5), (1.1, -0.5), (1.1, 0.7), (1.0, 0.85), (1.0, 3.6), (0.62, 4.4), (0.62, 6.9), (-0.1, 8.2)]
+    steps = [(-0.1, -0.55), (1.1, -0.55), (1.1, 0.7), (1.0, 0.85), (1.0, 3.6), (0.62, 4.4), (0.62, 6.9), (-0.1, 8.2)]
     mesh = make_mesh("Buttress", prism(steps, "y", -0.45, 0.45), "Stone")
     narrow = [(y, 0.0, HALL_OUT_X) for y in plan.COLUMN_Y]
     for i, (y, turn, x) in enumerate(narrow):
@@ -130,7 +133,7 @@ def _cornice():
     eaves = [(-0.30, -0.08), (-0.26, 0.06), (-0.12, 0.12), (-0.04, 0.24), (0.10, 0.26), (0.14, -0.08)]
     x, y = HALL_OUT_X, HALL_OUT_Y
     for name, sign in (("East", 1), ("West", -1)):
-        path = [(sign * x, -sign * y, plan.WALL_TOP), (sign * x, sign * y, plan.WALL_TOP)]
+        path = [(sign * x, -sign * (y + 0.1), plan.WALL_TOP), (sign * x, sign * (y + 0.1), plan.WALL_TOP)]
         place(f"Hall/Cornice_{name}", make_mesh(f"Cornice_{name}", sweep(path, eaves, (0, 0, 1)), "Stone"))
     course = [(-0.08, -0.05), (-0.07, 0.04), (0.0, 0.09), (0.07, -0.05)]
     path = [(x, -y + 0.3, 3.45), (x, plan.COURT_Y[1] + 0.05, 3.45)]
@@ -139,9 +142,9 @@ def _cornice():
 
 def _gate_wall():
     """The south wall of the courtyard with its closed gate."""
-    y1 = plan.COURT_Y[0]
-    body = box(HALL_OUT_X - 0.1, EAST_RANGE_X[0] + 0.1, y1 - 0.7, y1, plan.FOUNDATION, 3.7)
-    void = prism(arch_outline(1.4, plan.COURT_Z, 1.6, 1.45, 5), "y", y1 - 1.0, y1 + 0.3)
+    y1 = plan.COURT_Y[0] - 0.02
+    body = box(HALL_OUT_X - 0.1, EAST_RANGE_X[0] + 0.1, y1 - 0.7, y1, -0.66, 3.7)
+    void = prism(arch_outline(1.4, plan.COURT_Z + 0.07, 1.6, 1.45, 5), "y", y1 - 1.0, y1 + 0.3)
     place("Courtyard/Gate_Wall", carve_mesh("Gate_Wall", body, [Solid().merge(void, (15, 0, 0))], "Stone"))
     leaf = prism(arch_outline(1.44, plan.COURT_Z - 0.05, 1.6, 1.49, 5), "y", y1 - 0.45, y1 - 0.33)
     place("Courtyard/Gate", make_mesh("Gate", leaf, "Plank", grain=2), (15, 0, 0))
@@ -152,7 +155,7 @@ def _gate_wall():
 
 def _ground():
     (x0, x1), (y0, y1) = plan.COURT_X, plan.COURT_Y
-    court = box(x0 - 0.1, x1 + 0.5, y0 - 0.5, y1 + 0.5, plan.COURT_Z - 0.2, plan.COURT_Z)
+    court = box(x0 - 0.13, x1 + 0.5, y0 - 0.5, y1 + 0.5, plan.COURT_Z - 0.2, plan.COURT_Z)
     place("Courtyard/Ground", make_mesh("Court_Ground", court, "Ground"))
     place("Terrain", make_mesh("Terrain", box(-60, 60, -60, 60, -0.9, -0.38), "Ground"))
     path = box(x0 - 0.05, 12.6, -0.9, 0.9, plan.COURT_Z - 0.1, plan.COURT_Z + 0.05, 0.03)

@@ -53,7 +53,7 @@ def _chest():
 def _chest_straps():
     solid = Solid()
     for x in (-0.38, 0.38):
-        ring = [(0.33 * math.cos(a), 0.475 + 0.185 * math.sin(a)) for a in [math.pi * i / 6 for i in range(7)]]
+        ring = [(0.33 * math.cos(a), 0.465 + 0.195 * math.sin(a)) for a in [math.pi * i / 6 for i in range(7)]]
         solid.merge(prism(ring, "x", x - 0.035, x + 0.035))
     return solid.merge(box(-0.08, 0.08, -0.322, -0.25, 0.34, 0.50))
 

@@ -65,7 +65,7 @@ def _window_tracery():
 
 def _string_courses():
     """A moulded course below the windows, along the long walls and the north wall."""
-    moulding = [(-0.17, -0.06), (-0.14, 0.03), (-0.05, 0.09), (-0.02, 0.14), (0.05, 0.14), (0.08, -0.06)]
+    moulding = [(-0.17, -0.08), (-0.14, 0.03), (-0.05, 0.09), (-0.02, 0.14), (0.05, 0.14), (0.08, -0.08)]
     z = plan.SILL - 0.62
     ends = {"East": ((plan.HALL_X, plan.HALL_Y), (plan.HALL_X, -plan.HALL_Y)),
             "West": ((-plan.HALL_X, plan.STAIR_FOOT - 3.2), (-plan.HALL_X, plan.HALL_Y)),
@@ -190,7 +190,7 @@ def _gallery_floor():
     place("Gallery/Deck", make_mesh("Deck", deck, "Plank", grain=1))
     beam = box(-plan.HALL_X - 0.1, plan.HALL_X + 0.1, front - 0.36, front - 0.06, z - 0.48, z - 0.13, 0.03)
     place("Gallery/Beam", make_mesh("Beam", beam, "Plank", grain=0))
-    joist = make_mesh("Joist", box(-0.08, 0.08, -plan.HALL_Y - 0.1, front - 0.2, z - 0.34, z - 0.13), "Plank", grain=1)
+    joist = make_mesh("Joist", box(-0.08, 0.08, -plan.HALL_Y - 0.1, front - 0.2, z - 0.34, z - 0.12), "Plank", grain=1)
     for i in range(9):
         place(f"Gallery/Joist_{i + 1:02d}", joist, (-4.8 + 1.2 * i, 0, 0))
 
@@ -247,7 +247,7 @@ def _stair_rail(baluster, x):
         return plan.RISER + (foot - y) * rise
     path = [(x, foot + 0.05, height(foot) + 0.86), (x, top - 0.22, height(top - 0.22) + 0.86)]
     rail = sweep(path, [(-0.07, 0.0), (-0.07, 0.06), (-0.04, 0.10), (0.04, 0.10), (0.07, 0.06), (0.07, 0.0)], (-1, 0, 0))
-    newel = box(x - 0.09, x + 0.09, foot - 0.02, foot + 0.16, -0.02, 1.25, 0.02)
+    newel = box(x - 0.09, x + 0.09, foot - 0.02, foot + 0.18, -0.04, 1.25, 0.02)
     newel.merge(lathe([(0.05, 1.24, 0), (0.10, 1.32, 0), (0.10, 1.38, 0), (0.04, 1.46, 0)], 8), (x, foot + 0.07, 0))
     newel.merge(box(x - 0.09, x + 0.09, plan.GALLERY_FRONT - 0.21, plan.GALLERY_FRONT - 0.03, plan.GALLERY_Z - 0.3, plan.GALLERY_Z + 1.12, 0.02))
     place("Gallery/Stair_Rail", make_mesh("Stair_Rail", rail.merge(newel), "Plank", grain=1))

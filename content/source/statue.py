@@ -5,7 +5,7 @@ import bpy
 
 from mesh_kit import Solid, loft, make_mesh, place, temporary_object
 
-FIGURE_TRIANGLES = 1880
+FIGURE_TRIANGLES = 1850
 AT = (0.0, 9.75, 0.30)               # on the dais; the figure faces south, to the entrance
 PEDESTAL_TOP = 1.15
 

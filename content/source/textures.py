@@ -140,7 +140,7 @@ def ground():
 
 def marble():
     veins = np.abs(np.sin(2 * np.pi * (_X + _Y + 0.9 * noise(71, 3, octaves=5))))
-    colour = _mix((0.62, 0.61, 0.60), (0.91, 0.90, 0.87), 0.25 + 0.75 * veins ** 0.5)
+    colour = _mix((0.68, 0.67, 0.65), (0.90, 0.89, 0.86), 0.45 + 0.55 * veins ** 0.35)
     return colour * (0.96 + 0.04 * noise(72, 32))[..., None], None
 
 

@@ -47,12 +47,18 @@ def _plate(outer, holes, thickness, bevel):
     return Solid().add(points, [f for f in faces if len(set(f)) == len(f)])
 
 
-def _circle(cx, cz, radius, count, lobes=0, depth=0.0):
-    ring = []
-    for i in range(count):
-        a = 2 * math.pi * i / count + math.pi / 4
-        r = radius * (1 - depth * (0.5 - 0.5 * math.cos(lobes * (a - math.pi / 4)))) if lobes else radius
-        ring.append((cx + r * math.cos(a), cz + r * math.sin(a)))
+def _circle(cx, cz, radius, count):
+    return [(cx + radius * math.cos(2 * math.pi * i / count), cz + radius * math.sin(2 * math.pi * i / count)) for i in range(count)]
+
+
+def _quatrefoil(cx, cz, radius):
+    """Four lobes of four points each."""
+    ring, lobe = [], radius * 0.47
+    for quarter in range(4):
+        axis = math.pi / 2 * quarter
+        for bend in (-1.5, -0.55, 0.55, 1.5):
+            ring.append((cx + (radius - lobe) * math.cos(axis) + lobe * math.cos(axis + bend),
+                         cz + (radius - lobe) * math.sin(axis) + lobe * math.sin(axis + bend)))
     return ring
 
 
@@ -66,7 +72,7 @@ def two_light_tracery(half, sill, spring, rise):
     outer = arch_outline(half + embed, sill - embed, spring, rise + embed, 4)
     light = (half - 1.5 * bar) / 2
     holes = [_light(sign * (light + bar / 2), light, sill + bar * 0.6, spring - 0.25, light * 1.7, 3) for sign in (-1, 1)]
-    holes.append(_circle(0.0, spring + rise * 0.44, half * 0.36, 16, lobes=4, depth=0.34))
+    holes.append(_quatrefoil(0.0, spring + rise * 0.45, half * 0.42))
     return _plate(outer, holes, 0.18, 0.0)
 
 
@@ -78,7 +84,7 @@ def three_light_tracery(half, sill, spring, rise):
     step = 2 * light + bar
     holes = [_light(i * step, light, sill + bar * 0.6, spring - 0.55 + (0.3 if i == 0 else 0), light * 1.6, 3) for i in (-1, 0, 1)]
     holes += [_circle(sign * half * 0.44, spring + 0.58, half * 0.22, 14) for sign in (-1, 1)]
-    holes.append(_circle(0.0, spring + rise * 0.60, half * 0.31, 16, lobes=4, depth=0.34))
+    holes.append(_quatrefoil(0.0, spring + rise * 0.60, half * 0.33))
     return _plate(outer, holes, 0.24, 0.04)
 
 
