@@ -47,7 +47,10 @@ class JsonValue {
     };
     using Member = std::pair<std::string, JsonValue>;
 
+    bool is_plain() const;
     void append_to(std::string& text, int depth) const;
+    void append_array(std::string& text, int depth) const;
+    void append_object(std::string& text, int depth) const;
 
     std::variant<std::monostate, bool, std::int64_t, Number, std::string, std::vector<JsonValue>, std::vector<Member>>
         value_;
