@@ -1,0 +1,93 @@
+#include "hatchway/arguments.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/limits.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+
+void add_level_arguments(CLI::App& command, LevelArguments& arguments)
+{
+    command.add_option("level", arguments.file, "A level file (.json) or a bare model (.glb, .gltf)")
+        ->required()
+        ->option_text("LEVEL|GLB");
+    command.add_option("--style", arguments.styles, "Draw the nodes of a path glob in a style: '*=pen_and_ink'; repeatable")
+        ->option_text("GLOB=STYLE")
+        ->allow_extra_args(false);
+    add_plugin_dir_argument(command, arguments.plugin_dirs);
+    command.add_flag("--no-pvs", arguments.without_pvs, "Draw everything in the frustum");
+}
+
+void add_plugin_dir_argument(CLI::App& command, std::vector<fs::path>& plugin_dirs)
+{
+    command.add_option("--plugin-dir", plugin_dirs, "A folder with more plugins; repeatable")
+        ->option_text("DIR")
+        ->allow_extra_args(false);
+}
+
+void add_json_argument(CLI::App& command, fs::path& json_file)
+{
+    command.add_option("--json", json_file, "Write the result as JSON")->option_text("FILE");
+}
+
+StageOptions stage_options(const LevelArguments& arguments)
+{
+    return {.file = arguments.file,
+            .style_overrides = arguments.styles,
+            .plugin_dirs = arguments.plugin_dirs,
+            .has_visibility = !arguments.without_pvs,
+            .visibility = {}};
+}
+
+glm::ivec2 parse_size(const std::string& text)
+{
+    glm::ivec2 size(0);
+    const char* end = text.data() + text.size();
+    const auto [sign, width_status] = std::from_chars(text.data(), end, size.x);
+    const bool has_sign = width_status == std::errc() && sign != end && *sign == 'x';
+    const auto [stop, height_status] = std::from_chars(has_sign ? sign + 1 : end, end, size.y);
+    const auto is_side = [](int side) { return side >= 1 && side <= limits::kMaxImageSide; };
+    if (!has_sign || height_status != std::errc() || stop != end || !is_side(size.x) || !is_side(size.y))
+        throw Error({.what = "--size " + text,
+                     .expected = "WxH, each from 1 to " + std::to_string(limits::kMaxImageSide) + ", such as 1280x720"});
+    return size;
+}
+
+glm::dvec3 parse_vector(const std::string& text, const std::string& option)
+{
+    glm::dvec3 vector(0.0);
+    const char* at = text.data();
+    const char* end = at + text.size();
+    bool is_good = true;
+    for (int i = 0; i < 3 && is_good; ++i) {
+        const auto [stop, status] = std::from_chars(at, end, vector[i]);
+        const bool is_last = i == 2;
+        is_good = status == std::errc() && std::abs(vector[i]) <= limits::kMaxCoordinate &&
+                  (is_last ? stop == end : stop != end && *stop == ',');
+        at = is_last ? stop : stop + 1;
+    }
+    if (!is_good) throw Error({.what = option + " " + text, .expected = "X,Y,Z, three numbers, such as 0,1.7,8"});
+    return vector;
+}
+
+void require_writable(const fs::path& file, const std::string& option)
+{
+    if (file.empty()) return;
+    std::error_code failed;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const auto refuse = [&](const std::string& why) {
+        return Error({.what = option + ": " + why, .file = file.string(), .expected = "a file that can be written"});
+    };
+    if (!fs::is_directory(folder, failed)) throw refuse("there is no folder " + folder.string());
+    if (fs::is_directory(file, failed)) throw refuse("is a folder");
+    // Files are replaced by renaming, so the folder's permission decides.
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) throw refuse("the folder " + folder.string() + " is not writable");
+}
+
+}  // namespace hw

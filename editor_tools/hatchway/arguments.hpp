@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "walk/stage.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace hw {
+
+/// What every subcommand that opens a level takes.
+struct LevelArguments {
+    std::filesystem::path file;
+    std::vector<std::string> styles;
+    std::vector<std::filesystem::path> plugin_dirs;
+    bool without_pvs = false;
+};
+
+void add_level_arguments(CLI::App& command, LevelArguments& arguments);
+void add_plugin_dir_argument(CLI::App& command, std::vector<std::filesystem::path>& plugin_dirs);
+void add_json_argument(CLI::App& command, std::filesystem::path& json_file);
+
+StageOptions stage_options(const LevelArguments& arguments);
+
+/// "1280x720". Throws hw::Error unless both sides are in [1, limits::kMaxImageSide].
+glm::ivec2 parse_size(const std::string& text);
+
+/// "X,Y,Z", three finite numbers. Throws hw::Error that names `option`.
+glm::dvec3 parse_vector(const std::string& text, const std::string& option);
+
+/// Throws hw::Error unless a file of that name can be written: its folder is there and lets us, and it is no folder.
+/// Writes nothing. An empty name, an option that was not given, is fine.
+void require_writable(const std::filesystem::path& file, const std::string& option);
+
+}  // namespace hw

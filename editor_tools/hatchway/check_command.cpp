@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+
+#include "core/glob.hpp"
+#include "core/log.hpp"
+#include "gl/context.hpp"
+#include "hatchway/arguments.hpp"
+#include "hatchway/commands.hpp"
+#include "io/json_out.hpp"
+
+namespace hw {
+namespace {
+
+struct CheckArguments {
+    LevelArguments level;
+    std::filesystem::path json;
+};
+
+bool names_something(const AssignRule& rule, const Scene& scene)
+{
+    const auto is_node = [&](const Node& node) { return rule.nodes[0] == '#' || glob_matches(rule.nodes, node.path); };
+    const auto is_material = [&](const Material& material) { return glob_matches(rule.materials, material.name); };
+    return (rule.nodes.empty() || std::any_of(scene.nodes.begin(), scene.nodes.end(), is_node)) &&
+           (rule.materials.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), is_material));
+}
+
+/// What is no error, but surely not meant.
+std::vector<std::string> doubts(const Level& level, const Scene& scene)
+{
+    std::vector<std::string> found;
+    for (const AssignRule& rule : level.assign)
+        if (!names_something(rule, scene))
+            found.push_back(fmt::format("{}: {}: names nothing in the model", level.file.string(), rule.pointer));
+    for (const auto& [name, style] : level.styles) {
+        const auto is_used = [&, &used_name = name](const AssignRule& rule) {
+            return rule.style == used_name || rule.over == used_name;
+        };
+        const bool is_in_table =
+            std::any_of(level.certainty_styles.begin(), level.certainty_styles.end(),
+                        [&, &used_name = name](const CertaintyStyle& entry) { return entry.style == used_name; });
+        if (!is_in_table && std::none_of(level.assign.begin(), level.assign.end(), is_used))
+            found.push_back(fmt::format("{}: {}: no rule uses this style", level.file.string(), style.pointer));
+    }
+    return found;
+}
+
+void check(const CheckArguments& arguments)
+{
+    require_writable(arguments.json, "--json");
+    const auto context = make_headless_context();
+    const Stage stage(*context, stage_options(arguments.level));
+    const std::vector<std::string> found = doubts(stage.level(), stage.scene());
+    for (const std::string& doubt : found) log_warning(doubt);
+
+    const Scene& scene = stage.scene();
+    std::cout << fmt::format("{}: good: {} objects, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
+                             "paths; {} warnings\n",
+                             arguments.level.file.string(), scene.objects.size(), drawn_triangle_count(scene),
+                             scene.materials.size(), scene.lights.size() + stage.level().lights.size(),
+                             stage.level().styles.size(), stage.level().cameras.size() + scene.cameras.size(),
+                             stage.level().paths.size(), found.size());
+    if (arguments.json.empty()) return;
+    JsonValue warnings = JsonValue::array();
+    for (const std::string& doubt : found) warnings.push(doubt);
+    write_json(arguments.json, JsonValue::object()
+                                   .set("level", arguments.level.file.string())
+                                   .set("objects", static_cast<std::uint64_t>(scene.objects.size()))
+                                   .set("triangles", drawn_triangle_count(scene))
+                                   .set("warnings", std::move(warnings)));
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* command =
+        app.add_subcommand("check", "Opens a level with all its styles, maps and shaders, and says what is wrong");
+    add_level_arguments(*command, arguments->level);
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { check(*arguments); });
+}
+
+}  // namespace hw

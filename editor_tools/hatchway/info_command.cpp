@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "hatchway/arguments.hpp"
+#include "hatchway/commands.hpp"
+#include "hatchway/scene_surfaces.hpp"
+#include "io/json_out.hpp"
+#include "walk/level_world.hpp"
+
+namespace hw {
+namespace {
+
+struct InfoArguments {
+    std::filesystem::path file;
+    std::filesystem::path json;
+};
+
+/// Sums over meshes, each counted once however often it is used.
+struct MeshTotals {
+    SurfaceReport report;
+    std::uint64_t edges = 0;
+    std::uint64_t edge_bytes = 0;
+};
+
+MeshTotals totals_of(const std::vector<Surface>& surfaces)
+{
+    MeshTotals totals;
+    for (const Surface& surface : surfaces) {
+        const SurfaceReport& report = surface.report;
+        totals.report.triangles_in += report.triangles_in;
+        totals.report.removed_faces += report.removed_faces;
+        totals.report.collinear_faces += report.collinear_faces;
+        totals.report.flipped_faces += report.flipped_faces;
+        totals.report.inconsistent_edges += report.inconsistent_edges;
+        totals.report.border_edges += report.border_edges;
+        totals.report.complex_edges += report.complex_edges;
+        totals.report.stitched_edges += report.stitched_edges;
+        totals.report.artist_edges += report.artist_edges;
+        totals.report.components += report.components;
+        totals.report.closed_components += report.closed_components;
+        totals.report.inward_components += report.inward_components;
+        totals.report.reflex_rule_components += report.reflex_rule_components;
+        totals.edges += surface.edges.size();
+        totals.edge_bytes += edge_bytes(surface);
+    }
+    return totals;
+}
+
+JsonValue info_json(const LevelWorld& world, const MeshTotals& totals)
+{
+    const Scene& scene = world.scene;
+    const SurfaceReport& report = totals.report;
+    const VisibilityStats& visibility = world.visibility->stats;
+    JsonValue json = JsonValue::object();
+    json.set("triangles", report.triangles_in).set("triangles_drawn", drawn_triangle_count(scene));
+    json.set("objects", static_cast<std::uint64_t>(scene.objects.size()));
+    json.set("meshes", static_cast<std::uint64_t>(scene.meshes.size()));
+    json.set("materials", static_cast<std::uint64_t>(scene.materials.size()));
+    json.set("faces_removed", report.removed_faces).set("collinear_faces", report.collinear_faces);
+    json.set("components", report.components).set("closed_components", report.closed_components);
+    json.set("inward_components", report.inward_components);
+    json.set("reflex_rule_components", report.reflex_rule_components);
+    json.set("edges", totals.edges).set("borders", report.border_edges);
+    json.set("stitched_edges", report.stitched_edges).set("complex_edges", report.complex_edges);
+    json.set("artist_edges", report.artist_edges).set("inconsistent_edges", report.inconsistent_edges);
+    json.set("flips_repaired", report.flipped_faces);
+    json.set("bytes_per_edge", totals.edges ? static_cast<double>(totals.edge_bytes) / static_cast<double>(totals.edges) : 0.0);
+    json.set("structure_polygons", visibility.structure_polygons);
+    json.set("leaves", visibility.leaves).set("portals", visibility.portals);
+    json.set("coarse_portals", visibility.coarse_portals);
+    json.set("average_visible_share", visibility.average_visible_share);
+    json.set("visibility_s", visibility.seconds);
+    return json;
+}
+
+void print_info(const LevelWorld& world, const MeshTotals& totals)
+{
+    const SurfaceReport& report = totals.report;
+    const VisibilityStats& visibility = world.visibility->stats;
+    std::cout << fmt::format(
+        "model       {} objects, {} meshes, {} triangles ({} drawn)\n"
+        "faces       {} removed, {} collinear, {} flips repaired\n"
+        "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
+        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} inconsistent; {:.1f} bytes each\n"
+        "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; {:.2f} s\n",
+        world.scene.objects.size(), world.scene.meshes.size(), report.triangles_in, drawn_triangle_count(world.scene),
+        report.removed_faces, report.collinear_faces, report.flipped_faces, report.components,
+        report.closed_components, report.inward_components, report.reflex_rule_components, totals.edges,
+        report.border_edges, report.complex_edges, report.artist_edges, report.stitched_edges,
+        report.inconsistent_edges,
+        totals.edges ? static_cast<double>(totals.edge_bytes) / static_cast<double>(totals.edges) : 0.0,
+        visibility.leaves, visibility.portals, visibility.coarse_portals, visibility.structure_polygons,
+        100.0 * visibility.average_visible_share, visibility.seconds);
+}
+
+void info(const InfoArguments& arguments)
+{
+    require_writable(arguments.json, "--json");
+    const VisibilityOptions visibility;
+    const auto world = open_world(read_level_with(arguments.file, {}), &visibility);
+    const MeshTotals totals = totals_of(scene_surfaces(world->scene));
+    print_info(*world, totals);
+    if (!arguments.json.empty()) write_json(arguments.json, info_json(*world, totals));
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<InfoArguments>();
+    CLI::App* command = app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
+    command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { info(*arguments); });
+}
+
+}  // namespace hw

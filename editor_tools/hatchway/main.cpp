@@ -1,0 +1,57 @@
+#include <CLI/CLI.hpp>
+
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "hatchway/commands.hpp"
+
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kOurFault = 1;
+constexpr int kBadUsage = 2;
+
+void add_general_options(CLI::App& app)
+{
+    app.name("hatchway");
+    app.set_version_flag("--version", "hatchway " HATCHWAY_VERSION);
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.add_flag_callback("--quiet", [] { hw::set_log_level(hw::LogLevel::error); }, "Log errors only");
+    app.add_flag_callback("--verbose", [] { hw::set_log_level(hw::LogLevel::debug); }, "Log details, too");
+    app.footer("Exit codes: 0 done, 1 our fault, 2 bad usage or bad input.");
+    app.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return std::string("hatchway: ") + error.what() + "\nRun with --help for what is allowed.\n";
+    });
+}
+
+void add_commands(CLI::App& app)
+{
+    hw::add_render_command(app);
+    hw::add_check_command(app);
+    hw::add_info_command(app);
+    hw::add_silhouettes_command(app);
+    hw::add_measure_command(app);
+    hw::add_new_style_command(app);
+    hw::add_schema_command(app);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Walk through levels in which every object has its own style: photoreal, pen and ink, or a mix.");
+    add_general_options(app);
+    add_commands(app);
+    try {
+        app.parse(argc, argv);
+        return kDone;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kDone : kBadUsage;
+    } catch (const hw::Error& error) {
+        hw::log_error(error.what());
+        return hw::exit_code(error);
+    } catch (const std::exception& error) {
+        hw::log_error(std::string("internal error: ") + error.what());
+        return kOurFault;
+    }
+}

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "core/progress.hpp"
+#include "gl/context.hpp"
+#include "hatchway/arguments.hpp"
+#include "hatchway/commands.hpp"
+#include "hatchway/shots.hpp"
+#include "hatchway/stats_text.hpp"
+#include "io/images.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+struct RenderArguments {
+    LevelArguments level;
+    ShotArguments shots;
+    std::string size = "1280x720";
+    fs::path out;
+    int samples = 4;
+    std::string lines = "automatic";
+    bool has_stats = false;
+    fs::path json;
+};
+
+const std::map<std::string, LinePath> kLinePaths{
+    {"automatic", LinePath::automatic}, {"native", LinePath::native}, {"quads", LinePath::quads}};
+
+void check_out(const RenderArguments& arguments)
+{
+    if (arguments.shots.path.empty()) {
+        require_writable(arguments.out, "--out");
+        if (arguments.out.extension() != ".png")
+            throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .png"});
+        return;
+    }
+    const fs::path folder = arguments.out.has_filename() ? arguments.out : arguments.out.parent_path();
+    if (fs::is_directory(folder))
+        require_writable(folder / "frame_0000.png", "--out");
+    else
+        require_writable(folder, "--out");
+}
+
+void check_arguments(const RenderArguments& arguments)
+{
+    parse_size(arguments.size);
+    check_shot_arguments(arguments.shots);
+    if (arguments.samples != 1 && arguments.samples != 4)
+        throw Error({.what = fmt::format("--samples {}", arguments.samples), .expected = "1 or 4"});
+    if (!kLinePaths.contains(arguments.lines))
+        throw Error({.what = "--lines " + arguments.lines, .expected = "automatic, native or quads"});
+    check_out(arguments);
+    require_writable(arguments.json, "--json");
+}
+
+FrameOptions frame_options(const RenderArguments& arguments)
+{
+    FrameOptions options;
+    options.samples = arguments.samples;
+    options.use_pvs = !arguments.level.without_pvs;
+    options.line_path = kLinePaths.at(arguments.lines);
+    options.is_timed = arguments.has_stats || !arguments.json.empty();
+    return options;
+}
+
+JsonValue result_json(const RenderArguments& arguments, const Context& context)
+{
+    JsonValue result = JsonValue::object();
+    result.set("level", arguments.level.file.string()).set("size", arguments.size);
+    result.set("samples", arguments.samples).set("pvs", !arguments.level.without_pvs);
+    result.set("device", context.device().renderer);
+    return result;
+}
+
+void render(const RenderArguments& arguments)
+{
+    check_arguments(arguments);
+    const glm::ivec2 size = parse_size(arguments.size);
+    const auto context = make_headless_context();
+    Stage stage(*context, stage_options(arguments.level));
+    const std::vector<Shot> shots =
+        shots_of(arguments.shots, stage.level(), stage.scene(), static_cast<double>(size.x) / size.y);
+    const bool is_path = !arguments.shots.path.empty();
+    if (is_path) fs::create_directory(arguments.out);
+
+    const FrameOptions options = frame_options(arguments);
+    JsonValue frames = JsonValue::array();
+    Progress progress("Rendering", shots.size());
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
+        view.time_s = shots[i].time_s;
+        const FrameStats stats = stage.draw(view, options);
+        const fs::path file = is_path ? arguments.out / fmt::format("frame_{:04}.png", i) : arguments.out;
+        write_png(file, stage.renderer().read_picture());
+        frames.push(stats_json(stats).set("file", file.string()).set("time_s", shots[i].time_s));
+        if (arguments.has_stats) std::cout << file.string() << '\n' << stats_text(stats);
+        progress.advance();
+    }
+    for (const std::string& message : stage.messages()) log_warning(message);
+    if (!arguments.json.empty())
+        write_json(arguments.json, result_json(arguments, *context).set("frames", std::move(frames)));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "Draws pictures of a level, from a camera or along a path");
+    add_level_arguments(*command, arguments->level);
+    add_shot_arguments(*command, arguments->shots);
+    command->add_option("--size", arguments->size, "Size of the picture in pixels, 1280x720")->option_text("WxH");
+    command->add_option("--out", arguments->out, "The PNG file; with --path a folder for frame_0000.png and on")
+        ->required()
+        ->option_text("FILE.png|DIR");
+    command->add_option("--samples", arguments->samples, "Samples for each pixel, 1 or 4")->option_text("N");
+    command->add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
+        ->option_text("WAY");
+    command->add_flag("--stats", arguments->has_stats, "Print what each frame did");
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { render(*arguments); });
+}
+
+}  // namespace hw

@@ -1,0 +1,15 @@
+#include <CLI/CLI.hpp>
+
+#include "hatchway/commands.hpp"
+#include "measure/measures.hpp"
+
+namespace hw {
+
+void add_measure_command(CLI::App& app)
+{
+    CLI::App* measure = app.add_subcommand("measure", "Measures what an algorithm costs, and its error");
+    measure->require_subcommand(1);
+    add_measure_frame(*measure);
+}
+
+}  // namespace hw

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace hw {
+
+// Each measurement is a file measure_NAME.cpp of this folder with one function add_measure_NAME(), which gives the
+// command `hatchway measure NAME`. A measurement prints time and error against an independent reference, from one run.
+
+void add_measure_frame(CLI::App& measure);
+
+}  // namespace hw
