@@ -1,6 +1,7 @@
 #include "walk/style_edits.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -8,8 +9,6 @@
 
 namespace hw {
 namespace {
-
-constexpr std::size_t kForgotten = static_cast<std::size_t>(-1);
 
 std::string escaped(const std::string& name)
 {
@@ -116,7 +115,10 @@ bool StyleChoice::operator==(const StyleChoice& other) const
 
 void StyleEdits::push(StyleEdit edit)
 {
-    if (saved_count_ != kForgotten && saved_count_ > done_count_) saved_count_ = kForgotten;
+    for (; saved_count_ > done_count_; --saved_count_) {
+        const StyleEdit& lost = steps_[saved_count_ - 1];
+        taken_back_[lost.object] = lost.before;
+    }
     steps_.resize(done_count_);
     steps_.push_back(std::move(edit));
     ++done_count_;
@@ -134,13 +136,35 @@ std::optional<StyleEdit> StyleEdits::redo()
     return steps_[done_count_++];
 }
 
-std::map<ObjectId, StyleChoice> StyleEdits::choices() const
+std::map<ObjectId, StyleChoice> StyleEdits::unsaved() const
 {
-    std::map<ObjectId, StyleChoice> choices;
-    // Undone steps count, too: after a save the file may state what they did, and must be told otherwise.
-    for (std::size_t i = steps_.size(); i > done_count_; --i) choices[steps_[i - 1].object] = steps_[i - 1].before;
-    for (std::size_t i = 0; i < done_count_; ++i) choices[steps_[i].object] = steps_[i].after;
+    std::map<ObjectId, StyleChoice> choices = taken_back_;
+    for (std::size_t i = saved_count_; i < done_count_; ++i) choices[steps_[i].object] = steps_[i].after;
+    for (std::size_t i = saved_count_; i > done_count_; --i) choices[steps_[i - 1].object] = steps_[i - 1].before;
     return choices;
+}
+
+void StyleEdits::mark_saved()
+{
+    saved_count_ = done_count_;
+    taken_back_.clear();
+}
+
+void StyleEdits::renumber(const std::map<ObjectId, ObjectId>& new_of_old)
+{
+    StyleEdits kept;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        const auto found = new_of_old.find(steps_[i].object);
+        if (found == new_of_old.end()) continue;
+        kept.steps_.push_back(steps_[i]);
+        kept.steps_.back().object = found->second;
+        kept.done_count_ += i < done_count_ ? 1 : 0;
+        kept.saved_count_ += i < saved_count_ ? 1 : 0;
+    }
+    for (const auto& [object, choice] : taken_back_)
+        if (const auto found = new_of_old.find(object); found != new_of_old.end())
+            kept.taken_back_[found->second] = choice;
+    *this = std::move(kept);
 }
 
 StyleChoice choice_of(const ObjectLook& look)
@@ -182,6 +206,23 @@ std::string node_selector(const Scene& scene, int node)
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& other) { return other.path == path; });
     if (same > 1 || path.empty() || path[0] == '#') return '#' + std::to_string(node);
     return escaped(path);
+}
+
+std::map<ObjectId, ObjectId> matching_objects(const Scene& before, const Scene& after)
+{
+    const auto key = [](const Scene& scene, ObjectId id) {
+        return std::pair(scene.nodes[scene.objects[id].node].path, material_name(scene, id));
+    };
+    std::map<std::pair<std::string, std::string>, std::deque<ObjectId>> waiting;
+    for (ObjectId id = 0; id < after.objects.size(); ++id) waiting[key(after, id)].push_back(id);
+    std::map<ObjectId, ObjectId> new_of_old;
+    for (ObjectId id = 0; id < before.objects.size(); ++id) {
+        std::deque<ObjectId>& equals = waiting[key(before, id)];
+        if (equals.empty()) continue;
+        new_of_old[id] = equals.front();
+        equals.pop_front();
+    }
+    return new_of_old;
 }
 
 std::string object_name(const Scene& scene, ObjectId object)

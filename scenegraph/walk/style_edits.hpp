@@ -35,16 +35,20 @@ class StyleEdits {
     std::optional<StyleEdit> undo();
     std::optional<StyleEdit> redo();
 
-    /// Every object that was ever edited, with the choice that it has now.
-    std::map<ObjectId, StyleChoice> choices() const;
-    /// Whether something was done or undone since the last mark_saved().
-    bool has_unsaved() const { return done_count_ != saved_count_; }
-    void mark_saved() { saved_count_ = done_count_; }
+    /// The choices in which now differs from the last mark_saved(). What was saved and then undone is among them, with
+    /// the choice that it had before.
+    std::map<ObjectId, StyleChoice> unsaved() const;
+    bool has_unsaved() const { return done_count_ != saved_count_ || !taken_back_.empty(); }
+    void mark_saved();
+
+    /// The model changed: objects got other numbers. Steps of objects that are gone are forgotten.
+    void renumber(const std::map<ObjectId, ObjectId>& new_of_old);
 
  private:
     std::vector<StyleEdit> steps_;
     std::size_t done_count_ = 0;
-    std::size_t saved_count_ = 0;  ///< kForgotten when the saved state can no longer be reached by undo and redo.
+    std::size_t saved_count_ = 0;
+    std::map<ObjectId, StyleChoice> taken_back_;  ///< Of saved steps that were undone and then cut off by a new one.
 };
 
 StyleChoice choice_of(const ObjectLook& look);
@@ -62,6 +66,9 @@ std::vector<AssignRule> rules_for(const Level& level, const Scene& scene, const 
 /// How a rule names the node: its path where no other node has the same, else "#index". Characters with a meaning in
 /// globs are escaped.
 std::string node_selector(const Scene& scene, int node);
+
+/// For the objects of `before` that `after` has, too (same path, material and place among equals), their new numbers.
+std::map<ObjectId, ObjectId> matching_objects(const Scene& before, const Scene& after);
 
 /// "Hall/Column_02" or, where a node has several primitives, "Hall/Column_02 (Plank)": for messages.
 std::string object_name(const Scene& scene, ObjectId object);

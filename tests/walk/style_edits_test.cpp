@@ -135,15 +135,15 @@ TEST(style_edits, undo_and_redo_walk_the_same_way)
     hw::StyleEdits edits;
     edits.push({7, {.style = "assumed"}, {.style = "excavated"}});
     edits.push({7, {.style = "excavated"}, {.style = "mixed"}});
-    EXPECT_EQ(edits.choices().at(7).style, "mixed");
+    EXPECT_EQ(edits.unsaved().at(7).style, "mixed");
     EXPECT_EQ(edits.undo()->after.style, "mixed");
-    EXPECT_EQ(edits.choices().at(7).style, "excavated");
+    EXPECT_EQ(edits.unsaved().at(7).style, "excavated");
     edits.undo();
-    EXPECT_EQ(edits.choices().at(7).style, "assumed");
+    EXPECT_TRUE(edits.unsaved().empty());
     EXPECT_FALSE(edits.undo().has_value());
     edits.redo();
     edits.redo();
-    EXPECT_EQ(edits.choices().at(7).style, "mixed");
+    EXPECT_EQ(edits.unsaved().at(7).style, "mixed");
     EXPECT_FALSE(edits.redo().has_value());
 }
 
@@ -154,7 +154,7 @@ TEST(style_edits, a_new_step_ends_the_way_forward)
     edits.undo();
     edits.push({2, {.style = "assumed"}, {.style = "mixed"}});
     EXPECT_FALSE(edits.redo().has_value());
-    EXPECT_EQ(edits.choices().size(), 1u);
+    EXPECT_EQ(edits.unsaved().size(), 1u);
 }
 
 TEST(style_edits, knows_whether_the_file_says_the_same)
@@ -169,9 +169,30 @@ TEST(style_edits, knows_whether_the_file_says_the_same)
     EXPECT_TRUE(edits.has_unsaved());
     edits.redo();
     EXPECT_FALSE(edits.has_unsaved());
+}
+
+TEST(style_edits, what_was_saved_is_left_to_the_file)
+{
+    hw::StyleEdits edits;
+    edits.push({1, {.style = "assumed"}, {.style = "excavated"}});
+    edits.mark_saved();
+    EXPECT_TRUE(edits.unsaved().empty()) << "another editor may change it now";
+}
+
+TEST(style_edits, a_saved_step_that_is_undone_and_cut_off_still_has_to_be_told_to_the_file)
+{
+    hw::StyleEdits edits;
+    edits.push({1, {.style = "assumed"}, {.style = "excavated"}});
+    edits.mark_saved();
     edits.undo();
     edits.push({2, {.style = "assumed"}, {.style = "mixed"}});
-    EXPECT_TRUE(edits.has_unsaved()) << "one step done, as when it was saved, but another one";
+    EXPECT_TRUE(edits.has_unsaved());
+    EXPECT_EQ(edits.unsaved().at(1).style, "assumed");
+    EXPECT_EQ(edits.unsaved().at(2).style, "mixed");
+    edits.undo();
+    EXPECT_TRUE(edits.has_unsaved());
+    edits.mark_saved();
+    EXPECT_FALSE(edits.has_unsaved());
 }
 
 TEST(style_edits, an_edit_undone_after_saving_is_told_to_the_file)
@@ -182,7 +203,24 @@ TEST(style_edits, an_edit_undone_after_saving_is_told_to_the_file)
     edits.undo();
     hw::Level saved;
     saved.assign = {{.nodes = "Hall/Column_01", .style = "excavated"}};
-    EXPECT_EQ(after(saved, hall(), edits.choices())[2].style, "assumed");
+    EXPECT_EQ(after(saved, hall(), edits.unsaved())[2].style, "assumed");
+}
+
+TEST(style_edits, follow_their_objects_into_a_changed_model)
+{
+    hw::Scene changed = hall();
+    changed.objects.erase(changed.objects.begin());  // the hall's planks are gone: all numbers move by one
+    const auto new_of_old = hw::matching_objects(hall(), changed);
+    EXPECT_EQ(new_of_old.count(0), 0u);
+    EXPECT_EQ(new_of_old.at(3), 2u);
+    hw::StyleEdits edits;
+    edits.push({0, {.style = "assumed"}, {.style = "excavated"}});
+    edits.push({3, {.style = "assumed"}, {.style = "mixed"}});
+    edits.renumber(new_of_old);
+    EXPECT_EQ(edits.unsaved().size(), 1u);
+    EXPECT_EQ(edits.unsaved().at(2).style, "mixed");
+    EXPECT_TRUE(edits.undo().has_value());
+    EXPECT_FALSE(edits.undo().has_value());
 }
 
 TEST(style_cycle, goes_round_both_ways_and_starts_at_the_first)
