@@ -56,7 +56,8 @@ BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygo
 /// The leaf of a point, by exact signs; -1 outside of the box.
 int leaf_at(const BspTree& tree, const glm::dvec3& point_world);
 
-/// Every leaf that the ball touches, ascending; a leaf nearer than a grid step may be among them. Empty outside of the box.
+/// Every leaf that the ball touches, ascending; a leaf a few grid steps away may be among them. Empty if the ball is not
+/// wholly within the box.
 std::vector<int> leaves_near(const BspTree& tree, const glm::dvec3& centre_world, double radius_m);
 
 /// Every leaf that the convex polygon touches within `slack_m`, ascending. At most 16 corners.

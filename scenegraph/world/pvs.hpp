@@ -59,7 +59,8 @@ struct PvsOptions {
     PvsEffort effort = PvsEffort::full;
     double seconds = 0.0;     ///< Rough time after which portals keep the coarse answer; 0: no limit.
     int threads = 0;          ///< 0: as many as the machine has.
-    double slack = 1e-6;      ///< Length by which every clip keeps more than it should.
+    double slack = 1e-7;      ///< Length by which every clip keeps more than it should.
+    double least = 1e-5;      ///< A sight line this narrow at its far portal is tangential and counts as none.
 };
 
 struct PvsResult {

@@ -1,0 +1,229 @@
+// A node's portal is its plane within its cell, handed down both subtrees: a piece that arrives in leaf F in front and in
+// leaf B behind is all of their contact. Everything up to the cutting away of covered parts is exact; the rounded hull of
+// what remains may only be larger.
+#include "world/portals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/error.hpp"
+
+namespace hw {
+namespace {
+
+using Pieces = std::vector<PlanePolygon>;
+
+struct Contact {
+    PlanePolygon polygon;
+    int front_leaf = 0;
+    int back_leaf = 0;
+};
+
+/// Hands a polygon down a subtree; calls arrive(piece, leaf).
+template <typename Arrive>
+void push_down(const BspBuild& build, int child, PlanePolygon polygon, const Arrive& arrive)
+{
+    while (child >= 0) {
+        const BspNode& node = build.tree.nodes[static_cast<std::size_t>(child)];
+        const int plane = build.plane_of_node[static_cast<std::size_t>(child)];
+        const PolygonSigns signs = polygon_signs(build.planes, polygon, plane);
+        HW_ASSERT(signs.has_front || signs.has_back);
+        if (signs.has_front && signs.has_back) {
+            push_down(build, node.front, clipped(build.planes, polygon, {plane, false}), arrive);
+            polygon = clipped(build.planes, polygon, {plane, true});
+        }
+        child = signs.has_back ? node.back : node.front;
+    }
+    arrive(std::move(polygon), ~child);
+}
+
+bool is_outside(const PlaneSet& planes, const PlanePolygon& polygon, SidePlane side)
+{
+    const PolygonSigns signs = polygon_signs(planes, polygon, side.plane);
+    return side.is_flipped ? !signs.has_back : !signs.has_front;
+}
+
+/// Two convex polygons of one plane whose interiors do not meet: a side of one has all of the other outside.
+bool are_apart(const PlaneSet& planes, const PlanePolygon& a, const PlanePolygon& b)
+{
+    const auto parts_them = [&](const PlanePolygon& one, const PlanePolygon& other) {
+        return std::any_of(one.sides.begin(), one.sides.end(),
+                           [&](SidePlane side) { return is_outside(planes, other, side); });
+    };
+    return parts_them(a, b) || parts_them(b, a);
+}
+
+/// Appends what is left of `piece` beside `cover`.
+void subtract(const PlaneSet& planes, PlanePolygon piece, const PlanePolygon& cover, Pieces& left)
+{
+    if (are_apart(planes, piece, cover)) {
+        left.push_back(std::move(piece));
+        return;
+    }
+    for (const SidePlane side : cover.sides) {
+        const PolygonSigns signs = polygon_signs(planes, piece, side.plane);
+        if (!signs.has_front || !signs.has_back) continue;  // all inside: it is not apart
+        left.push_back(clipped(planes, piece, {side.plane, !side.is_flipped}));
+        piece = clipped(planes, piece, side);
+    }
+}
+
+Pieces uncovered(const BspBuild& build, const PlanePolygon& contact, const std::vector<BlockingPolygon>& covers,
+                 bool from_front)
+{
+    Pieces pieces{contact};
+    for (const BlockingPolygon& cover : covers) {
+        if (!(from_front ? cover.blocks_from_front : cover.blocks_from_back)) continue;
+        Pieces left;
+        for (PlanePolygon& piece : pieces) subtract(build.planes, std::move(piece), cover.polygon, left);
+        pieces = std::move(left);
+        if (pieces.empty()) break;
+    }
+    return pieces;
+}
+
+using Winding = std::vector<glm::dvec3>;
+
+/// Doubled area vector.
+glm::dvec3 area_vector(const Winding& winding)
+{
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 2; i < winding.size(); ++i) {
+        sum += glm::cross(winding[i - 1] - winding[0], winding[i] - winding[0]);
+    }
+    return sum;
+}
+
+/// The least distance between two parallel lines of the plane that hold the polygon between them.
+double width_of(const Winding& winding, const glm::dvec3& normal)
+{
+    double width = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        const glm::dvec3 side = winding[(i + 1) % winding.size()] - winding[i];
+        const double length = glm::length(side);
+        if (length <= 0.0) continue;
+        const glm::dvec3 across = glm::cross(normal, side / length);
+        double least = 0.0;
+        double most = 0.0;
+        for (const glm::dvec3& corner : winding) {
+            const double distance = glm::dot(across, corner - winding[i]);
+            least = std::min(least, distance);
+            most = std::max(most, distance);
+        }
+        width = std::min(width, most - least);
+    }
+    return width;
+}
+
+/// The convex hull of points of a plane, counter-clockwise about `normal`. Andrew's monotone chain.
+Winding hull_of(Winding points, const glm::dvec3& normal)
+{
+    const glm::dvec3 helper = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(helper, normal));
+    const glm::dvec3 v = glm::cross(normal, u);
+    const auto before = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        const double ua = glm::dot(a, u), ub = glm::dot(b, u);
+        return ua != ub ? ua < ub : glm::dot(a, v) < glm::dot(b, v);
+    };
+    std::sort(points.begin(), points.end(), before);
+    const auto bends_left = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        return glm::dot(glm::cross(b - a, c - b), normal) > 0.0;
+    };
+    Winding hull;
+    const auto add = [&](const glm::dvec3& point, std::size_t base) {
+        while (hull.size() >= base + 2 && !bends_left(hull[hull.size() - 2], hull.back(), point)) hull.pop_back();
+        hull.push_back(point);
+    };
+    for (const glm::dvec3& point : points) add(point, 0);
+    const std::size_t base = hull.size() - 1;
+    for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], base);
+    hull.pop_back();
+    return hull;
+}
+
+struct Direction {
+    glm::dvec3 normal{0.0};
+    double offset = 0.0;
+    int from_leaf = 0;
+    int to_leaf = 0;
+};
+
+void add_portal(Winding winding, const Direction& way, PortalGraph& graph)
+{
+    if (glm::dot(area_vector(winding), way.normal) < 0.0) std::reverse(winding.begin(), winding.end());
+    graph.portals.push_back({way.from_leaf, way.to_leaf, way.normal, way.offset, std::move(winding)});
+}
+
+/// Turns what is left of one contact into portals: one hull where it is not much larger than the pieces.
+void add_portals(const Pieces& pieces, double step_m, const Direction& way, PortalGraph& graph)
+{
+    constexpr double kMostGrowth = 1.3;
+    constexpr std::size_t kMostPieces = 12;
+    std::vector<Winding> windings;
+    Winding all;
+    double total = 0.0;
+    for (const PlanePolygon& piece : pieces) {
+        Winding winding;
+        for (const glm::dvec3& corner : piece.corners) winding.push_back(corner * step_m);
+        if (width_of(winding, way.normal) < kCrackWidth) continue;
+        total += glm::length(area_vector(winding));
+        all.insert(all.end(), winding.begin(), winding.end());
+        windings.push_back(std::move(winding));
+    }
+    if (windings.size() > 1) {
+        Winding hull = hull_of(all, way.normal);
+        if (windings.size() > kMostPieces || glm::length(area_vector(hull)) <= kMostGrowth * total) {
+            windings = {std::move(hull)};
+        }
+    }
+    for (Winding& winding : windings) add_portal(std::move(winding), way, graph);
+}
+
+void add_contact(const BspBuild& build, std::size_t node, const Contact& contact, PortalGraph& graph)
+{
+    const ExactPlane& plane = build.tree.nodes[node].plane;
+    const double step_m = build.tree.grid.step_m;
+    const double offset_m = plane.unit_offset * step_m;
+    const std::vector<BlockingPolygon>& covers = build.polygons_of_node[node];
+    add_portals(uncovered(build, contact.polygon, covers, true), step_m,
+                {-plane.unit_normal, -offset_m, contact.front_leaf, contact.back_leaf}, graph);
+    add_portals(uncovered(build, contact.polygon, covers, false), step_m,
+                {plane.unit_normal, offset_m, contact.back_leaf, contact.front_leaf}, graph);
+}
+
+void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, PortalGraph& graph)
+{
+    if (child < 0) return;
+    const std::size_t index = static_cast<std::size_t>(child);
+    const int plane = build.plane_of_node[index];
+    PlanePolygon polygon = plane_within_box(build.planes, plane, build.box_min, build.box_max);
+    for (const SidePlane ancestor : ancestors) {
+        const PolygonSigns signs = polygon_signs(build.planes, polygon, ancestor.plane);
+        if (signs.has_front && signs.has_back) polygon = clipped(build.planes, polygon, ancestor);
+    }
+    const BspNode node = build.tree.nodes[index];
+    push_down(build, node.front, std::move(polygon), [&](PlanePolygon in_front, int front_leaf) {
+        push_down(build, node.back, std::move(in_front), [&](PlanePolygon piece, int back_leaf) {
+            add_contact(build, index, {std::move(piece), front_leaf, back_leaf}, graph);
+        });
+    });
+    ancestors.push_back({plane, false});
+    add_node(build, node.front, ancestors, graph);
+    ancestors.back().is_flipped = true;
+    add_node(build, node.back, ancestors, graph);
+    ancestors.pop_back();
+}
+
+}  // namespace
+
+PortalGraph build_portals(BspBuild& build)
+{
+    PortalGraph graph;
+    graph.leaf_count = build.tree.leaf_count;
+    std::vector<SidePlane> ancestors;
+    if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, graph);
+    return graph;
+}
+
+}  // namespace hw

@@ -1,0 +1,124 @@
+#include "world/structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/error.hpp"
+#include "core/glob.hpp"
+#include "world/coplanar.hpp"
+
+namespace hw {
+namespace {
+
+bool is_named(const std::string& pattern, std::size_t node, const Scene& scene)
+{
+    if (pattern == fmt::format("#{}", node)) return true;
+    return glob_matches(pattern, scene.nodes[node].path);
+}
+
+/// For every node, whether it may be structure.
+std::vector<char> structural_nodes(const Scene& scene, const Level& level)
+{
+    if (!level.structure) return std::vector<char>(scene.nodes.size(), 1);
+    std::vector<char> result(scene.nodes.size(), 0);
+    for (std::size_t entry = 0; entry < level.structure->size(); ++entry) {
+        bool is_used = false;
+        for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+            if (!is_named((*level.structure)[entry], i, scene)) continue;
+            result[i] = 1;
+            is_used = true;
+        }
+        if (is_used) continue;
+        throw Error({.what = fmt::format("\"{}\" names no node", (*level.structure)[entry]),
+                     .file = level.file.string(),
+                     .pointer = fmt::format("/structure/{}", entry),
+                     .expected = "a path glob of nodes of the scene"});
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const int parent = scene.nodes[i].parent;
+        if (parent != kNone && result[static_cast<std::size_t>(parent)]) result[i] = 1;
+    }
+    return result;
+}
+
+void add_object(const Scene& scene, ObjectId id, const Grid& grid, std::vector<GridTriangle>& triangles)
+{
+    const Object& object = scene.objects[id];
+    const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
+    const bool is_double_sided = scene.materials[static_cast<std::size_t>(object.material)].is_double_sided;
+    const glm::dmat4& matrix = scene.world_from_object(id);
+    // A mirroring transform turns the winding round, and what is drawn with it.
+    const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        GridTriangle triangle;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const glm::dvec3 position(mesh.positions[mesh.indices[i + corner]]);
+            triangle.corners[corner] = snapped(grid, glm::dvec3(matrix * glm::dvec4(position, 1.0)));
+        }
+        if (is_mirrored) std::swap(triangle.corners[1], triangle.corners[2]);
+        triangle.is_double_sided = is_double_sided;
+        triangles.push_back(triangle);
+    }
+}
+
+void set_box(Structure& structure, const Box& bounds_world)
+{
+    const glm::dvec3 size = bounds_world.size();
+    const double margin_m = std::max(0.01 * std::max({size.x, size.y, size.z}), 64.0 * structure.grid.step_m);
+    structure.box_min = snapped(structure.grid, bounds_world.min - margin_m);
+    structure.box_max = snapped(structure.grid, bounds_world.max + margin_m);
+}
+
+double largest_side(const Box& box)
+{
+    const glm::dvec3 s = box.size();
+    return std::max({s.x * s.y, s.y * s.z, s.z * s.x});
+}
+
+}  // namespace
+
+Structure choose_structure(const Scene& scene, const Level& level, const StructureOptions& options)
+{
+    Structure structure;
+    structure.grid = grid_for(scene.bounds_world);
+    if (scene.bounds_world.is_empty()) {
+        structure.box_min = {-1, -1, -1};
+        structure.box_max = {1, 1, 1};
+        return structure;
+    }
+    set_box(structure, scene.bounds_world);
+
+    const std::vector<char> is_structural = structural_nodes(scene, level);
+    std::vector<GridTriangle> triangles;
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        const Object& object = scene.objects[id];
+        const std::size_t node = static_cast<std::size_t>(object.node);
+        if (!is_structural[node] || scene.nodes[node].is_animated) continue;
+        if (scene.materials[static_cast<std::size_t>(object.material)].alpha_mode != AlphaMode::opaque) continue;
+        add_object(scene, id, structure.grid, triangles);
+    }
+    std::vector<FlatPolygon> polygons = merge_coplanar(triangles, 1e-5 / structure.grid.step_m);
+    const double square_m = structure.grid.step_m * structure.grid.step_m;
+    const double least = level.structure ? 0.0 : options.least_area_share * largest_side(scene.bounds_world) / square_m;
+    std::stable_sort(polygons.begin(), polygons.end(),
+                     [](const FlatPolygon& a, const FlatPolygon& b) { return a.area > b.area; });
+    for (const FlatPolygon& flat : polygons) {
+        if (flat.area < least || structure.polygons.size() >= static_cast<std::size_t>(options.max_polygons)) {
+            ++structure.left_out;
+            continue;
+        }
+        const SidePlane plane = structure.planes.add(flat.plane);
+        BlockingPolygon polygon;
+        polygon.polygon = polygon_over_ring(structure.planes, plane.plane, flat.ring);
+        polygon.blocks_from_front = plane.is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
+        polygon.blocks_from_back = plane.is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
+        structure.area_m2 += area(polygon.polygon) * square_m;
+        structure.polygons.push_back(std::move(polygon));
+    }
+    return structure;
+}
+
+}  // namespace hw

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "world/bsp.hpp"
+#include "world/level.hpp"
+#include "world/scene.hpp"
+
+namespace hw {
+
+/// What becomes structure where the level does not say.
+struct StructureOptions {
+    int max_polygons = 3000;
+    double least_area_share = 1e-4;  ///< Of the largest side of the scene's box; smaller polygons hide too little.
+};
+
+/// The polygons that partition space and block sight, snapped to the grid.
+struct Structure {
+    Grid grid;
+    PlaneSet planes;
+    std::vector<BlockingPolygon> polygons;     ///< Largest first.
+    std::array<std::int64_t, 3> box_min{};     ///< A box of grid points around the scene, a little larger.
+    std::array<std::int64_t, 3> box_max{};
+    double area_m2 = 0.0;                      ///< Of the chosen polygons.
+    int left_out = 0;                          ///< Merged polygons over the budget or below the least area.
+};
+
+/// Chooses and merges the structure of a scene: opaque, static triangles of the objects that Level::structure names (its
+/// globs reach children too), or of all. Triangles within 1e-5 m (at a finer grid: a step and a quarter) of a larger
+/// one's plane are laid into it, so that planes which the model means to be one are one. Triangles in one plane that are
+/// drawn from the same sides are merged across a shared edge while their union is exactly convex; nothing is ever added
+/// to what is drawn. Deterministic. Throws hw::Error if a name of Level::structure reaches no node.
+Structure choose_structure(const Scene& scene, const Level& level, const StructureOptions& options);
+
+}  // namespace hw

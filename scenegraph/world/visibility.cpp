@@ -1,0 +1,180 @@
+#include "world/visibility.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <glm/vec4.hpp>
+#include <numeric>
+
+#include "world/portals.hpp"
+#include "world/structure.hpp"
+
+namespace hw {
+namespace {
+
+/// How far a drawn triangle may lie from its snapped copy, and a little.
+double registration_slack_m(const Grid& grid) { return std::max(4.0 * grid.step_m, 3e-5); }
+
+void make_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, Visibility& visibility)
+{
+    visibility.first_slot_of_object.push_back(0);
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        const MeshChunks& chunks = chunks_of_mesh[static_cast<std::size_t>(scene.objects[id].mesh)];
+        for (std::uint32_t chunk = 0; chunk < chunks.size(); ++chunk) visibility.slots.push_back({id, chunk});
+        visibility.first_slot_of_object.push_back(static_cast<std::uint32_t>(visibility.slots.size()));
+    }
+}
+
+/// The leaves that the triangles of a chunk touch, ascending. An animated object is everywhere.
+std::vector<int> leaves_of_slot(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const BspTree& tree,
+                                const ChunkSlot& slot)
+{
+    std::vector<int> leaves;
+    const Object& object = scene.objects[slot.object];
+    if (scene.nodes[static_cast<std::size_t>(object.node)].is_animated) {
+        leaves.resize(static_cast<std::size_t>(tree.leaf_count));
+        std::iota(leaves.begin(), leaves.end(), 0);
+        return leaves;
+    }
+    const std::size_t mesh_index = static_cast<std::size_t>(object.mesh);
+    const MeshData& mesh = scene.meshes[mesh_index];
+    const MeshChunk& chunk = chunks_of_mesh[mesh_index][slot.chunk];
+    const glm::dmat4& matrix = scene.world_from_object(slot.object);
+    const double slack_m = registration_slack_m(tree.grid);
+    for (std::uint32_t i = 0; i < chunk.index_count; i += 3) {
+        std::array<glm::dvec3, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = mesh.indices[chunk.first_index + i + k];
+            corners[k] = glm::dvec3(matrix * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0));
+        }
+        leaves_of_polygon(tree, corners, slack_m, leaves);
+    }
+    std::sort(leaves.begin(), leaves.end());
+    leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+    return leaves;
+}
+
+void register_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, Visibility& visibility)
+{
+    const std::size_t leaf_count = static_cast<std::size_t>(visibility.tree.leaf_count);
+    std::vector<std::vector<std::uint32_t>> slots_of_leaf(leaf_count);
+    for (std::uint32_t slot = 0; slot < visibility.slots.size(); ++slot) {
+        for (const int leaf : leaves_of_slot(scene, chunks_of_mesh, visibility.tree, visibility.slots[slot])) {
+            slots_of_leaf[static_cast<std::size_t>(leaf)].push_back(slot);
+        }
+    }
+    visibility.first_in_leaf.push_back(0);
+    for (const std::vector<std::uint32_t>& slots : slots_of_leaf) {
+        visibility.slots_of_leaf.insert(visibility.slots_of_leaf.end(), slots.begin(), slots.end());
+        visibility.first_in_leaf.push_back(static_cast<std::uint32_t>(visibility.slots_of_leaf.size()));
+    }
+}
+
+/// Calls visit(leaf) for each set bit.
+template <typename Visit>
+void visit_bits(std::span<const std::uint64_t> words, const Visit& visit)
+{
+    for (std::size_t word = 0; word < words.size(); ++word) {
+        for (std::uint64_t bits = words[word]; bits != 0; bits &= bits - 1) {
+            visit(static_cast<int>(word * 64) + __builtin_ctzll(bits));
+        }
+    }
+}
+
+void show_leaf(const Visibility& visibility, int leaf, std::vector<std::uint8_t>& is_visible)
+{
+    const std::size_t index = static_cast<std::size_t>(leaf);
+    for (std::uint32_t i = visibility.first_in_leaf[index]; i < visibility.first_in_leaf[index + 1]; ++i) {
+        is_visible[visibility.slots_of_leaf[i]] = 1;
+    }
+}
+
+double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const Visibility& visibility)
+{
+    std::vector<double> triangles;
+    for (const ChunkSlot& slot : visibility.slots) {
+        const std::size_t mesh = static_cast<std::size_t>(scene.objects[slot.object].mesh);
+        triangles.push_back(chunks_of_mesh[mesh][slot.chunk].index_count / 3.0);
+    }
+    const double total = std::accumulate(triangles.begin(), triangles.end(), 0.0);
+    if (total == 0.0) return 1.0;
+    double sum = 0.0;
+    std::vector<std::uint8_t> is_visible(visibility.slots.size());
+    for (int leaf = 0; leaf < visibility.tree.leaf_count; ++leaf) {
+        std::fill(is_visible.begin(), is_visible.end(), std::uint8_t{0});
+        visit_bits(visibility.rows.row(leaf), [&](int seen) { show_leaf(visibility, seen, is_visible); });
+        for (std::size_t slot = 0; slot < is_visible.size(); ++slot) sum += is_visible[slot] ? triangles[slot] : 0.0;
+    }
+    return sum / total / visibility.tree.leaf_count;
+}
+
+BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOptions& options, VisibilityStats& stats)
+{
+    StructureOptions structure_options;
+    structure_options.max_polygons = options.max_structure_polygons;
+    Structure structure = choose_structure(scene, level, structure_options);
+    while (true) {
+        BspBuild build =
+            build_bsp(structure.grid, structure.planes, structure.polygons, structure.box_min, structure.box_max);
+        stats.structure_polygons = static_cast<int>(structure.polygons.size());
+        if (build.tree.leaf_count <= options.max_leaves || structure.polygons.size() < 2) return build;
+        structure.polygons.resize(structure.polygons.size() * 2 / 3);
+    }
+}
+
+}  // namespace
+
+Visibility build_visibility(const Scene& scene, const Level& level, std::span<const MeshChunks> chunks_of_mesh,
+                            const VisibilityOptions& options)
+{
+    const auto start = std::chrono::steady_clock::now();
+    Visibility visibility;
+    make_slots(scene, chunks_of_mesh, visibility);
+    BspBuild build = build_tree(scene, level, options, visibility.stats);
+    const PortalGraph graph = build_portals(build);
+    visibility.tree = std::move(build.tree);
+    PvsOptions pvs_options;
+    pvs_options.effort = options.effort;
+    pvs_options.seconds = options.flow_seconds;
+    pvs_options.threads = options.threads;
+    PvsResult pvs = build_pvs(graph, pvs_options);
+    visibility.rows = std::move(pvs.rows);
+    register_slots(scene, chunks_of_mesh, visibility);
+
+    VisibilityStats& stats = visibility.stats;
+    stats.leaves = visibility.tree.leaf_count;
+    stats.portals = static_cast<int>(graph.portals.size());
+    stats.coarse_portals = pvs.coarse_portals;
+    stats.average_visible_share = average_visible_share(scene, chunks_of_mesh, visibility);
+    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return visibility;
+}
+
+void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m,
+                    std::vector<std::uint8_t>& is_visible_by_chunk_slot)
+{
+    const std::vector<int> leaves = leaves_near(visibility.tree, eye_world, near_radius_m);
+    is_visible_by_chunk_slot.assign(visibility.slots.size(), leaves.empty() ? 1 : 0);
+    if (leaves.empty()) return;
+    std::vector<std::uint64_t> seen(visibility.rows.row(0).size());
+    for (const int leaf : leaves) {
+        const std::span<const std::uint64_t> row = visibility.rows.row(leaf);
+        for (std::size_t word = 0; word < seen.size(); ++word) seen[word] |= row[word];
+    }
+    visit_bits(seen, [&](int leaf) { show_leaf(visibility, leaf, is_visible_by_chunk_slot); });
+}
+
+int visible_leaf_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m)
+{
+    const std::vector<int> leaves = leaves_near(visibility.tree, eye_world, near_radius_m);
+    if (leaves.empty()) return visibility.tree.leaf_count;
+    std::vector<std::uint64_t> seen(visibility.rows.row(0).size());
+    for (const int leaf : leaves) {
+        const std::span<const std::uint64_t> row = visibility.rows.row(leaf);
+        for (std::size_t word = 0; word < seen.size(); ++word) seen[word] |= row[word];
+    }
+    int count = 0;
+    for (const std::uint64_t word : seen) count += __builtin_popcountll(word);
+    return count;
+}
+
+}  // namespace hw
