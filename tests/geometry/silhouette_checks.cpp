@@ -1,0 +1,81 @@
+#include "geometry/silhouette_checks.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace hw::test {
+
+std::vector<glm::dvec3> eyes_around(const Surface& surface)
+{
+    std::vector<glm::dvec3> eyes;
+    if (surface.faces.empty()) return eyes;
+    glm::dvec3 low = surface.positions[0], high = low;
+    for (const glm::vec3& p : surface.positions) {
+        low = glm::min(low, glm::dvec3(p));
+        high = glm::max(high, glm::dvec3(p));
+    }
+    const glm::dvec3 centre = 0.5 * (low + high), size = glm::max(high - low, glm::dvec3(1e-30));
+    for (int i = 0; i < 27; ++i) {
+        const glm::dvec3 direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const int axes = std::abs(i % 3 - 1) + std::abs(i / 3 % 3 - 1) + std::abs(i / 9 - 1);
+        if (axes == 1 || axes == 3) eyes.push_back(centre + 1.7 * direction * glm::length(size));
+    }
+    const auto corner = [&](std::size_t face, int i) {
+        return glm::dvec3(surface.positions[surface.faces[face % surface.faces.size()][i]]);
+    };
+    const std::size_t step = surface.faces.size() / 7 + 1;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const glm::dvec3 a = corner(i * step, 0), b = corner(i * step, 1), c = corner(i * step, 2);
+        eyes.push_back(a + static_cast<double>(i) * (b - a) - 4.0 * (c - a));
+    }
+    eyes.push_back(corner(0, 0));
+    eyes.push_back(corner(3 * step, 1));
+    eyes.push_back(0.5 * (corner(2 * step, 0) + corner(2 * step, 1)));
+    eyes.push_back(corner(4 * step, 0) + 0.25 * (corner(4 * step, 1) - corner(4 * step, 0)) +
+                   0.5 * (corner(4 * step, 2) - corner(4 * step, 0)));
+    eyes.push_back(corner(5 * step, 0) + 8.0 * (corner(5 * step, 1) - corner(5 * step, 0)));
+    eyes.push_back(centre);
+    return eyes;
+}
+
+std::size_t wrong_edges(const Surface& surface, const Viewpoint& viewpoint, const ExactOracle& oracle,
+                        SilhouetteScratch& scratch, FacingPrecision precision)
+{
+    std::vector<ExactOracle::Edge> found;
+    for (const std::uint32_t edge : all_silhouettes(surface, viewpoint, {.precision = precision}, scratch)) {
+        const auto [u, v] = surface.edges.vertices[edge];
+        found.push_back({std::min(u, v), std::max(u, v)});
+    }
+    std::sort(found.begin(), found.end());
+    const std::vector<ExactOracle::Edge> expected =
+        oracle.silhouettes(viewpoint.eye, viewpoint.is_orthographic ? 0.0 : 1.0);
+    std::vector<ExactOracle::Edge> wrong;
+    std::set_symmetric_difference(found.begin(), found.end(), expected.begin(), expected.end(),
+                                  std::back_inserter(wrong));
+    return wrong.size();
+}
+
+std::size_t odd_vertices(const Surface& surface, std::span<const std::uint32_t> silhouettes)
+{
+    std::vector<std::uint32_t> count(surface.positions.size(), 0);
+    for (const std::uint32_t edge : silhouettes) {
+        const std::uint32_t component = surface.face_component[surface.edges.faces[edge][0]];
+        if (!surface.components[component].is_closed) continue;
+        for (const std::uint32_t vertex : surface.edges.vertices[edge]) ++count[vertex];
+    }
+    return static_cast<std::size_t>(std::count_if(count.begin(), count.end(), [](auto n) { return n % 2 == 1; }));
+}
+
+std::size_t wrong_edges_in_all_views(const Surface& surface, bool every_sign_rational)
+{
+    const ExactOracle oracle(surface.positions, surface.faces, every_sign_rational);
+    SilhouetteScratch scratch;
+    std::size_t wrong = 0;
+    for (const glm::dvec3& eye : eyes_around(surface)) {
+        wrong += wrong_edges(surface, {eye}, oracle, scratch);
+        wrong += odd_vertices(surface, all_silhouettes(surface, {eye}, {}, scratch));
+    }
+    return wrong;
+}
+
+}  // namespace hw::test

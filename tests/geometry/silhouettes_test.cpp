@@ -1,0 +1,142 @@
+#include "geometry/silhouettes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+#include "geometry/exact_oracle.hpp"
+#include "geometry/silhouette_checks.hpp"
+#include "geometry/test_meshes.hpp"
+
+namespace {
+
+using namespace hw::test;
+
+}  // namespace
+
+TEST(silhouettes, a_box_seen_at_a_corner_has_six)
+{
+    const hw::Surface surface = hw::build_surface(box({0, 0, 0}, {1, 1, 1}));
+    hw::SilhouetteScratch scratch;
+    EXPECT_EQ(hw::all_silhouettes(surface, {glm::dvec3(3, 4, 5)}, {}, scratch).size(), 6u);
+    EXPECT_EQ(hw::all_silhouettes(surface, {glm::dvec3(0.5, 0.5, 5)}, {}, scratch).size(), 4u);
+}
+
+TEST(silhouettes, an_object_without_candidates_costs_nothing)
+{
+    const hw::Surface surface = hw::build_surface(box({0, 0, 0}, {1, 1, 1}));
+    hw::SilhouetteScratch scratch;
+    EXPECT_TRUE(hw::drawn_contours(surface, {glm::dvec3(3, 4, 5)}, {.crease_rad = 0.7f}, scratch).empty());
+    EXPECT_EQ(scratch.counters.objects_without_work, 1u);
+    EXPECT_EQ(scratch.counters.faces_tested, 0u);
+    EXPECT_EQ(scratch.counters.edges_tested, 0u);
+}
+
+TEST(silhouettes, what_is_drawn_is_a_candidate_and_a_silhouette)
+{
+    const hw::Surface surface = hw::build_surface(torus(48, 24));
+    hw::SilhouetteScratch scratch;
+    for (const glm::dvec3& eye : eyes_around(surface)) {
+        const auto all = hw::all_silhouettes(surface, {eye}, {}, scratch);
+        const std::vector<std::uint32_t> silhouettes(all.begin(), all.end());
+        const hw::EdgeRange convex = surface.edges.group(hw::EdgeGroup::convex);
+        std::vector<std::uint32_t> expected;
+        for (const std::uint32_t edge : silhouettes) {
+            if (edge >= convex.begin && edge < convex.end) expected.push_back(edge);
+        }
+        const auto drawn = hw::drawn_contours(surface, {eye}, {.crease_rad = 3.2f}, scratch);
+        EXPECT_TRUE(std::equal(drawn.begin(), drawn.end(), expected.begin(), expected.end()));
+    }
+}
+
+TEST(silhouettes, no_call_allocates_once_the_scratch_is_warm)
+{
+    const hw::Surface surface = hw::build_surface(sphere(64, 32));
+    hw::SilhouetteScratch scratch;
+    hw::all_silhouettes(surface, {glm::dvec3(3, 0, 0)}, {}, scratch);
+    const auto* bits = scratch.facing_bits.data();
+    const auto* open = scratch.open_faces.data();
+    const auto* edges = scratch.edges.data();
+    for (const glm::dvec3& eye : eyes_around(surface)) {
+        hw::all_silhouettes(surface, {eye}, {}, scratch);
+        hw::drawn_contours(surface, {eye}, {}, scratch);
+    }
+    EXPECT_EQ(scratch.facing_bits.data(), bits);
+    EXPECT_EQ(scratch.open_faces.data(), open);
+    EXPECT_EQ(scratch.edges.data(), edges);
+}
+
+TEST(silhouettes, the_filter_leaves_few_faces_open)
+{
+    const hw::Surface surface = hw::build_surface(sphere(256, 128));
+    hw::SilhouetteScratch scratch;
+    for (int i = 0; i < 20; ++i) {
+        hw::find_facing(surface, {glm::dvec3(std::cos(i) * 3, 0.7 * i, std::sin(i) * 3)}, hw::FacingPrecision::exact,
+                        scratch);
+    }
+    EXPECT_LT(scratch.counters.double_stage, scratch.counters.faces_tested / 500);
+    EXPECT_EQ(scratch.counters.exact_stage, 0u);
+}
+
+TEST(silhouettes, are_exact_for_ten_thousand_random_eyes)
+{
+    const hw::Surface surface = hw::build_surface(torus(16, 10));
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-2.0, 2.0);
+    const ExactOracle oracle(surface.positions, surface.faces, false);
+    hw::SilhouetteScratch scratch;
+    for (int i = 0; i < 10000; ++i) {
+        const hw::Viewpoint viewpoint{glm::dvec3(place(random), place(random), place(random))};
+        ASSERT_EQ(wrong_edges(surface, viewpoint, oracle, scratch), 0u) << "eye " << i;
+    }
+}
+
+TEST(silhouettes, are_exact_at_every_offset_and_scale)
+{
+    for (const float offset : {0.0f, 1e3f, 1e5f, 1e6f}) {
+        for (const float scale : {1e-6f, 1.0f, 1e6f}) {
+            const glm::mat4 matrix = glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(offset)), glm::vec3(scale));
+            const hw::Surface surface = hw::build_surface(moved(torus(24, 12), matrix));
+            EXPECT_EQ(wrong_edges_in_all_views(surface), 0u) << "offset " << offset << ", scale " << scale;
+        }
+    }
+}
+
+TEST(silhouettes, are_exact_under_non_uniform_scale_and_one_ulp_of_noise)
+{
+    hw::MeshData mesh = moved(sphere(24, 16), glm::scale(glm::mat4(1.0f), glm::vec3(1e-4f, 1.0f, 1e4f)));
+    EXPECT_EQ(wrong_edges_in_all_views(hw::build_surface(mesh)), 0u);
+    std::mt19937 random(5);
+    for (glm::vec3& p : mesh.positions) {
+        for (int axis = 0; axis < 3; ++axis) p[axis] = std::nextafter(p[axis], random() % 2 ? 1e9f : -1e9f);
+    }
+    EXPECT_EQ(wrong_edges_in_all_views(hw::build_surface(mesh)), 0u);
+}
+
+TEST(silhouettes, are_exact_in_orthographic_views_also_parallel_to_faces)
+{
+    const hw::Surface surface = hw::build_surface(prism(8));
+    const ExactOracle oracle(surface.positions, surface.faces, true);
+    hw::SilhouetteScratch scratch;
+    for (int i = 0; i < 27; ++i) {
+        const hw::Viewpoint viewpoint{glm::dvec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), true};
+        EXPECT_EQ(wrong_edges(surface, viewpoint, oracle, scratch), 0u) << "direction " << i;
+    }
+}
+
+TEST(silhouettes, floats_alone_are_wrong_where_the_exact_mode_is_right)
+{
+    const glm::mat4 far_away = glm::translate(glm::mat4(1.0f), glm::vec3(1e5f));
+    const hw::Surface surface = hw::build_surface(moved(sphere(96, 48), far_away));
+    const ExactOracle oracle(surface.positions, surface.faces, false);
+    hw::SilhouetteScratch scratch;
+    std::size_t wrong = 0;
+    for (const glm::dvec3& eye : eyes_around(surface)) {
+        wrong += wrong_edges(surface, {eye}, oracle, scratch, hw::FacingPrecision::single_only);
+        EXPECT_EQ(wrong_edges(surface, {eye}, oracle, scratch), 0u);
+    }
+    EXPECT_GT(wrong, 0u);
+}
