@@ -14,6 +14,7 @@ struct DrawItem {
     const MeshData* mesh = nullptr;
     const Material* material = nullptr;
     glm::mat4 world_from_object{1.0f};
+    Box bounds_world;  ///< Of the object.
     PresenceField presence;
     bool is_presence_inverted = false;  ///< The style shows 1 - presence: another style of the object shows presence.
     float certainty = 1.0f;             ///< Of the level, in [0, 1]: a free variable for colour or tone.

@@ -5,9 +5,6 @@
 // distance drops each second one. Those thin out while the octave passes, so that tone stays the same all the while.
 // Source: Freudenberg, Masuch, Strothotte. Walk-Through Illustrations. Eurographics 2001, section 3.2.
 
-const float kHwHatchMapSpacing = 8.0;   // texels between two lines of a hatch map, at every level
-const float kHwHatchTexel = 0.0009765625;  // metres of a hatch map's finest texel: 1 / 1024
-
 // 0 to 1 from a number that names a line. Exact: positions are multiples of powers of two.
 float hw_hash(float key, uint salt)
 {
@@ -122,18 +119,19 @@ float hw_map_ink(sampler2D map, vec2 at, float level)
     return mix(textureLod(map, at, finer).r, textureLod(map, at, finer + 1.0).r, level - finer);
 }
 
-// Ink of a hatch map along `u` metres; `u_d`: its derivatives in the picture. Every level draws a line each
-// kHwHatchMapSpacing texels. Nearer than the finest level and farther than the coarsest that still separates lines, the
-// map is scaled by octaves: lines of the next octave lie exactly on each second one, so that is seamless.
-float hw_hatch_map_ink(sampler2D map, float level_count, float u, vec2 u_d, float spacing_px)
+// Ink of a hatch map along `u` metres; `u_d`: its derivatives in the picture. `map_spacing`: texels between two lines, the
+// same at every level; `size_m`: width of the map on the surface. Nearer than the finest level and farther than the
+// coarsest that still separates lines, the map is scaled by octaves: lines of the next octave lie exactly on each second
+// one, so that nothing shows.
+float hw_hatch_map_ink(sampler2D map, float level_count, float map_spacing, float size_m, float u, vec2 u_d,
+                       float spacing_px)
 {
-    float texel_px = spacing_px * hw_px_scale / kHwHatchMapSpacing;
-    float level = log2(max(length(u_d), 1e-12) * texel_px / kHwHatchTexel);
-    float coarsest = max(level_count - 6.0, 0.0);  // 1, 2, 4, 8 and 16 texels are too few to separate lines
-    float shift = floor(level) - clamp(floor(level), 0.0, coarsest);
     float width = float(textureSize(map, 0).x);
-    float at = u * exp2(-shift) / (kHwHatchTexel * width);
-    return hw_map_ink(map, vec2(fract(at), 0.5), level - shift);
+    float texel_px = spacing_px * hw_px_scale / map_spacing;
+    float level = log2(clamp(length(u_d), 1e-12, 1e12) * texel_px * width / size_m);
+    float coarsest = max(log2(width / map_spacing) - 2.0, 0.0);
+    float shift = floor(level) - clamp(floor(level), 0.0, min(coarsest, level_count - 2.0));
+    return hw_map_ink(map, vec2(fract(u * exp2(-shift) / size_m), 0.5), level - shift);
 }
 
 // Ink of a 2-D map at `at` (1 is the whole map); dx and dy its derivatives in the picture. The level follows the direction

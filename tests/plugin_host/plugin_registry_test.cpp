@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "plugin_tests.hpp"
+
+using namespace hw;
+using namespace hw::test;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+
+namespace {
+
+std::string reason(const std::string& name)
+{
+    for (const RefusedPlugin& refused : test_registry().refused())
+        if (refused.name == name) return refused.why;
+    return "";
+}
+
+}  // namespace
+
+TEST(plugin_registry, the_static_table_holds_the_built_in_plugins)
+{
+    const PluginRegistry registry({.has_installed = false, .compiled_in = static_plugins()});
+    EXPECT_THAT(registry.names(PluginKind::style), IsSupersetOf({"hybrid", "pen_and_ink", "photoreal"}));
+    EXPECT_THAT(registry.names(PluginKind::image_pass), Contains("edge_map"));
+    for (const Plugin& plugin : registry.plugins()) EXPECT_FALSE(plugin.summary.empty()) << plugin.name;
+}
+
+TEST(plugin_registry, the_installation_s_libraries_are_found_and_equal_the_static_table)
+{
+    const PluginRegistry loaded;
+    const PluginRegistry compiled_in({.has_installed = false, .compiled_in = static_plugins()});
+    ASSERT_EQ(loaded.plugins().size(), compiled_in.plugins().size());
+    for (std::size_t i = 0; i < loaded.plugins().size(); ++i) {
+        EXPECT_EQ(loaded.plugins()[i].name, compiled_in.plugins()[i].name);
+        EXPECT_NE(loaded.plugins()[i].entry, compiled_in.plugins()[i].entry);
+        EXPECT_TRUE(std::filesystem::is_directory(loaded.plugins()[i].shader_folder)) << loaded.plugins()[i].shader_folder;
+    }
+}
+
+TEST(plugin_registry, a_plugin_of_another_version_is_refused_by_its_version_alone)
+{
+    EXPECT_THAT(reason("old_version"), HasSubstr("built for version 0 of the plugin interface, this program has version 1"));
+}
+
+TEST(plugin_registry, a_plugin_of_another_build_is_refused)
+{
+    EXPECT_THAT(reason("other_build"), HasSubstr("it was built by \"abi 1, glm 4\""));
+}
+
+TEST(plugin_registry, a_library_without_an_entry_is_refused) { EXPECT_THAT(reason("no_entry"), HasSubstr("HW_STYLE")); }
+
+TEST(plugin_registry, a_library_whose_entry_throws_is_refused)
+{
+    EXPECT_THAT(reason("throws_in_entry"), HasSubstr("throws"));
+}
+
+TEST(plugin_registry, a_library_that_calls_itself_otherwise_is_refused_and_hides_nothing)
+{
+    EXPECT_THAT(reason("other_name"), HasSubstr("it calls itself \"photoreal\""));
+    ASSERT_NE(test_registry().find("photoreal", PluginKind::style), nullptr);
+    EXPECT_TRUE(test_registry().find("photoreal", PluginKind::style)->library.empty());
+}
+
+TEST(plugin_registry, a_folder_that_is_missing_is_bad_input)
+{
+    const std::string message = refusal([] { PluginRegistry({.has_installed = false, .folders = {"/no/such/folder"}}); });
+    EXPECT_EQ(message, "/no/such/folder: there is no such folder of plugins");
+}
+
+TEST(plugin_registry, names_are_lower_case_letters_digits_and_underscores)
+{
+    EXPECT_TRUE(is_plugin_name("pen_and_ink_2"));
+    for (const char* name : {"", "Pen", "pen-and-ink", "../pen", "pen.so", "p\xc3\xa9n"}) EXPECT_FALSE(is_plugin_name(name));
+}
+
+TEST(plugin_registry, a_plugin_is_found_only_as_its_own_kind)
+{
+    EXPECT_EQ(test_registry().find("edge_map", PluginKind::style), nullptr);
+    EXPECT_NE(test_registry().find("edge_map", PluginKind::image_pass), nullptr);
+}

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "plugin_host/plugin_registry.hpp"
+#include "plugin_host/static_plugins.hpp"
+#include "style/style.hpp"
+
+namespace hw::test {
+
+inline const std::filesystem::path kMisbehaving = HATCHWAY_BUILD_DIR "/tests/plugin_host/misbehaving";
+
+/// The message of the hw::Error that `action` throws; empty when it throws none.
+inline std::string refusal(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// The project's own plugins and those that misbehave.
+inline const PluginRegistry& test_registry()
+{
+    static const PluginRegistry registry = [] {
+        set_log_level(LogLevel::off);
+        return PluginRegistry(PluginPlaces{.has_installed = false, .folders = {kMisbehaving},
+                                           .compiled_in = static_plugins()});
+    }();
+    return registry;
+}
+
+/// Counts what is asked of it and compiles nothing.
+struct FakeProgramCache final : ProgramCache {
+    Program surface(std::string_view file, std::string_view defines) override
+    {
+        asked.emplace_back(std::string(file) + "|" + std::string(defines));
+        if (file == fails_for) throw Error({.what = "does not compile", .file = std::string(file)});
+        return {1};
+    }
+    Program full_screen(std::string_view file, std::string_view defines) override { return surface(file, defines); }
+
+    std::vector<std::string> asked;
+    std::string fails_for;
+};
+
+/// Counts what styles draw.
+struct FakePass final : Pass {
+    const View& view() const override { return a_view; }
+    Image image(const ImageKey&) const override { return {}; }
+    Image render(const TargetDesc&, Program, const Uniforms&, std::span<const DrawItem>) override { return {1, {1, 1}}; }
+    Image filter(const TargetDesc&, Program, const Uniforms& uniforms) override
+    {
+        last_uniforms = uniforms;
+        return {2, {1, 1}};
+    }
+    void surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) override
+    {
+        drawn_surfaces += items.size();
+        last_program = program;
+        last_uniforms = uniforms;
+    }
+    void lines(const LineLook& look, std::span<const DrawItem> items) override
+    {
+        drawn_lines += items.size();
+        last_look = look;
+        for (const DrawItem& item : items) line_items.push_back(item);
+    }
+
+    View a_view;
+    std::size_t drawn_surfaces = 0;
+    std::size_t drawn_lines = 0;
+    Program last_program;
+    Uniforms last_uniforms;
+    LineLook last_look;
+    std::vector<DrawItem> line_items;
+};
+
+}  // namespace hw::test
