@@ -19,7 +19,8 @@ def gable_roof(half_width, eave, ridge, overhang):
     slope = (ridge - eave) / half_width
     foot = half_width + overhang
     low = eave - overhang * slope
-    return [(-foot, low), (0.0, ridge), (foot, low), (foot, low + TILE_SLAB), (0.0, ridge + TILE_SLAB * 1.5), (-foot, low + TILE_SLAB)]
+    return [(-foot, low), (0.0, ridge), (foot, low), (foot, low + TILE_SLAB), (0.0, ridge + TILE_SLAB * 1.5),
+        (-foot, low + TILE_SLAB)]
 
 
 def _ridge_tiles(length):
@@ -44,7 +45,8 @@ def _roofs():
     south, north = plan.COURT_Y[0] - 0.8, EAST_RANGE_END
     _roof("Courtyard", "_East", ((x0 + x1) / 2, (south + north) / 2, 0), 0, (x1 - x0) / 2, north - south, EAVE, EAVE + 3.5)
     west = HALL_OUT_X + 0.2
-    _roof("Courtyard", "_North", ((west + x0 + 2.2) / 2, (y0 + y1) / 2, 0), 90, (y1 - y0) / 2, x0 + 2.2 - west, EAVE + 0.01, EAVE + 3.42)
+    _roof("Courtyard", "_North", ((west + x0 + 2.2) / 2, (y0 + y1) / 2, 0), 90, (y1 - y0) / 2, x0 + 2.2 - west, EAVE + 0.01,
+        EAVE + 3.42)
 
 
 # ---- Ranges ---------------------------------------------------------------------------------------------------------

@@ -105,7 +105,8 @@ _MESHES = {}
 
 def build():
     """Places Furniture/ in the hall and the furniture of SideRoom/."""
-    for name, solid, material, grain in (("Table", _table(), "Plank", 1), ("Bench", _bench(), "Plank", 1), ("Chair", _chair(), "Plank", 2),
+    for name, solid, material, grain in (("Table", _table(), "Plank", 1), ("Bench", _bench(), "Plank", 1),
+        ("Chair", _chair(), "Plank", 2),
                                          ("Chest", _chest(), "Plank", 0), ("Chest_Straps", _chest_straps(), "Iron", None)):
         _MESHES[name] = make_mesh(name, solid, material, grain=grain)
     for i, (x, y) in enumerate(TABLE_SPOTS):

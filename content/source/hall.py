@@ -249,7 +249,8 @@ def _stair_rail(baluster, x):
     rail = sweep(path, [(-0.07, 0.0), (-0.07, 0.06), (-0.04, 0.10), (0.04, 0.10), (0.07, 0.06), (0.07, 0.0)], (-1, 0, 0))
     newel = box(x - 0.09, x + 0.09, foot - 0.02, foot + 0.18, -0.04, 1.25, 0.02)
     newel.merge(lathe([(0.05, 1.24, 0), (0.10, 1.32, 0), (0.10, 1.38, 0), (0.04, 1.46, 0)], 8), (x, foot + 0.07, 0))
-    newel.merge(box(x - 0.09, x + 0.09, plan.GALLERY_FRONT - 0.21, plan.GALLERY_FRONT - 0.03, plan.GALLERY_Z - 0.3, plan.GALLERY_Z + 1.12, 0.02))
+    newel.merge(box(x - 0.09, x + 0.09, plan.GALLERY_FRONT - 0.21, plan.GALLERY_FRONT - 0.03, plan.GALLERY_Z - 0.3,
+        plan.GALLERY_Z + 1.12, 0.02))
     place("Gallery/Stair_Rail", make_mesh("Stair_Rail", rail.merge(newel), "Plank", grain=1))
     for i in range(1, plan.STAIR_STEPS - 1):
         place(f"Gallery/Stair_Baluster_{i:02d}", baluster, (x, plan.STAIR_FOOT - plan.TREAD * (i + 0.5), plan.RISER * (i + 1)))

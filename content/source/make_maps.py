@@ -63,7 +63,8 @@ class Hand:
         count = max(2, int(length / step) + 1)
         t = np.linspace(0.0, 1.0, count + 1)
         phase = self.random.uniform(0, 2 * np.pi, 2)
-        sway = waver * np.sin(np.pi * t) * (np.sin(2 * np.pi * t * max(1, round(length * 7)) + phase[0]) + 0.5 * np.sin(2 * np.pi * t * max(2, round(length * 17)) + phase[1]))
+        sway = waver * np.sin(np.pi * t) * (np.sin(2 * np.pi * t * max(1,
+            round(length * 7)) + phase[0]) + 0.5 * np.sin(2 * np.pi * t * max(2, round(length * 17)) + phase[1]))
         normal = np.array([a[1] - b[1], b[0] - a[0]]) / length
         return a + t[:, None] * (b - a) + sway[:, None] * normal
 
@@ -127,7 +128,8 @@ def _worn_marks(hand, left, right, low, high):
         found.append(hand.line((x, y), end, 0.004))
     for k in range(int(hand.random.integers(7, 14))):
         y = high - 0.010 - 0.012 * k
-        found.append(hand.line((right - 0.010 - 0.02 * hand.random.random(), y), (right - 0.03 - 0.06 * hand.random.random(), y), 0.0006))
+        found.append(hand.line((right - 0.010 - 0.02 * hand.random.random(), y),
+            (right - 0.03 - 0.06 * hand.random.random(), y), 0.0006))
     for _ in range(int(hand.random.integers(5, 9))):
         x, y = hand.random.uniform(left, right), hand.random.uniform(low, high)
         found.append(hand.line((x, y), (x + hand.random.uniform(0.004, 0.010), y + 0.002), 0.0))
@@ -177,7 +179,8 @@ def plank_strokes():
         butts.append(hand.line((x, low), (x + 0.002, high)))
         for _ in range(9):
             start, y = hand.random.random(), hand.random.uniform(low + 0.014, high - 0.014)
-            grain.append(hand.line((start, y), (start + hand.random.uniform(0.10, 0.42), y + hand.random.uniform(-0.006, 0.006)), 0.0022))
+            grain.append(hand.line((start, y), (start + hand.random.uniform(0.10, 0.42), y + hand.random.uniform(-0.006,
+                0.006)), 0.0022))
         grain += _knot(hand, hand.random.random(), (low + high) / 2) if board % 3 == 0 else []
     return joints + butts + _shuffled(hand, grain)
 
@@ -202,7 +205,8 @@ def ink_levels(drawing):
 
 
 def _ink_maps(folder):
-    for name, draw in (("stone_courses", stone_strokes), ("roof_tiles", roof_strokes), ("planks", plank_strokes), ("flagstones", flagstone_strokes)):
+    for name, draw in (("stone_courses", stone_strokes), ("roof_tiles", roof_strokes), ("planks", plank_strokes),
+        ("flagstones", flagstone_strokes)):
         levels = ink_levels(draw())
         _write_map(os.path.join(folder, name), levels, kind="ink", size_m=textures.TILE_M)
         print(name, "tone per level:", " ".join(f"{1.0 - level.mean():.3f}" for level in levels))

@@ -61,7 +61,8 @@ def _document(vertices, triangles, lengths):
                  {"bufferView": 2, "componentType": 5126, "count": count, "type": "VEC2"},
                  {"bufferView": 3, "componentType": 5123, "count": triangles.size, "type": "SCALAR"}]
     primitive = {"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3, "material": 0}
-    stone = {"name": "Stone", "pbrMetallicRoughness": {"baseColorFactor": [0.62, 0.56, 0.47, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.9}}
+    stone = {"name": "Stone", "pbrMetallicRoughness": {"baseColorFactor": [0.62, 0.56, 0.47, 1.0], "metallicFactor": 0.0,
+        "roughnessFactor": 0.9}}
     return {"asset": {"version": "2.0", "generator": "make_prism.py", "copyright": "CC0-1.0"}, "scene": 0,
             "scenes": [{"nodes": [0]}], "nodes": [{"name": "Prism", "mesh": 0}],
             "meshes": [{"name": "Prism", "primitives": [primitive]}], "materials": [stone],

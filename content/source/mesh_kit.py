@@ -50,9 +50,9 @@ def loft(rings, closed_path=False, metric_uv=True, whole_turns=False):
     `whole_turns` stretches u so that a two-metre tile meets itself at the seam.
     """
     solid, n, count = Solid(), len(rings[0]), len(rings)
-    around = _perimeter(max(rings, key=lambda r: _perimeter(r)[-1]))
+    around = _perimeter(sorted(rings, key=lambda r: _perimeter(r)[-1])[count // 2])
     if whole_turns:
-        turn = max(1, round(around[-1]))
+        turn = max(1, 2 * round(around[-1] / 2))
         around = [a * turn / around[-1] for a in around]
     path = list(rings) + ([rings[0]] if closed_path else [])
     along = [0.0]

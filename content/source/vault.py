@@ -2,7 +2,7 @@
 import math
 
 import plan
-from mesh_kit import Solid, lathe, loft, make_mesh, place, sweep
+from mesh_kit import Solid, lathe, make_mesh, place, sweep
 
 LEAN = 0.35                          # how far the arch centres lie beyond the axis, in half spans: pointedness
 ARCH_RISE = 3.5                      # arcade and wall arches
@@ -69,8 +69,8 @@ def _web_faces(solid, index, bay, centre):
 
     def uv(s, t, lateral):
         if lateral:
-            return (s * bay.half_x, up_t[abs(t)] * (1 if t < 0 else -1))
-        return (t * bay.half_y, up_s[abs(s)] * (1 if s < 0 else -1))
+            return (s * bay.half_x, math.copysign(up_t[0.0] - up_t[abs(t)], t))
+        return (t * bay.half_y, math.copysign(up_s[0.0] - up_s[abs(s)], s))
 
     for s0, s1 in zip(axis, axis[1:]):
         for t0, t1 in zip(axis, axis[1:]):

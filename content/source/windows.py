@@ -48,7 +48,8 @@ def _plate(outer, holes, thickness, bevel):
 
 
 def _circle(cx, cz, radius, count):
-    return [(cx + radius * math.cos(2 * math.pi * i / count), cz + radius * math.sin(2 * math.pi * i / count)) for i in range(count)]
+    return [(cx + radius * math.cos(2 * math.pi * i / count),
+        cz + radius * math.sin(2 * math.pi * i / count)) for i in range(count)]
 
 
 def _quatrefoil(cx, cz, radius):
