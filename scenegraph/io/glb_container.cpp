@@ -94,8 +94,10 @@ class GlbSplitter {
 
 GltfParts split_gltf(std::span<const std::byte> bytes, const std::string& file)
 {
-    const bool is_glb = bytes.size() >= 4 && word_at(bytes, 0) == kMagic;
-    if (is_glb) return GlbSplitter(bytes, file).split();
+    const bool is_magic = bytes.size() >= 4 && word_at(bytes, 0) == kMagic;
+    if (is_magic) return GlbSplitter(bytes, file).split();
+    if (file.ends_with(".glb"))
+        throw Error({.what = "the file is no .glb", .file = file, .pointer = "byte 0", .expected = "the word glTF"});
     return {.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, .binary = {}};
 }
 

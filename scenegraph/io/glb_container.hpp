@@ -14,7 +14,8 @@ struct GltfParts {
     std::optional<std::span<const std::byte>> binary;  ///< The BIN chunk of a .glb.
 };
 
-/// Splits a .glb into its chunks; a file without its magic number is JSON as a whole. Throws hw::Error with the byte
+/// Splits a .glb into its chunks; a file without its magic number is JSON as a whole, if its
+/// name does not end in .glb. Throws hw::Error with the byte
 /// where the container is broken.
 GltfParts split_gltf(std::span<const std::byte> bytes, const std::string& file);
 

@@ -9,6 +9,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kColumnAlignment = 4;
+constexpr std::uint64_t kMaxZeroElements = 1u
+                                           << 20;  ///< Of an accessor without data: its count costs the file nothing.
 
 void check_view(const GltfChecked& gltf, const json& view, const std::string& pointer)
 {
@@ -16,6 +18,9 @@ void check_view(const GltfChecked& gltf, const json& view, const std::string& po
     const std::uint64_t size = gltf.whole(buffer, "byteLength", 0);
     const std::uint64_t offset = gltf.whole(view, "byteOffset", 0);
     const std::uint64_t length = gltf.whole(view, "byteLength", 0);
+    const std::uint64_t stride = gltf.whole(view, "byteStride", 4);
+    if (stride % 4 != 0)
+        gltf.refuse(pointer + "/byteStride", fmt::format("the stride is {}", stride), "a multiple of 4");
     if (offset > size || length > size - offset)
         gltf.refuse(pointer + "/byteLength", fmt::format("the view ends at byte {}", offset + length),
                     fmt::format("at most the buffer's {}", size));
@@ -99,6 +104,9 @@ void check_buffers(const GltfChecked& gltf)
                         .element = element.bytes,
                         .count = gltf.whole(accessor, "count", 1)},
                        pointer);
+        else if (gltf.whole(accessor, "count", 1) > kMaxZeroElements)
+            gltf.refuse(pointer + "/count", fmt::format("{} elements have no bufferView", accessor.at("count").dump()),
+                        fmt::format("at most {}", kMaxZeroElements));
         if (accessor.contains("sparse")) check_sparse(gltf, accessor, element, pointer);
     }
 }

@@ -60,9 +60,8 @@ class RuleChecker {
                 check_array(value, pointer, rule);
                 break;
             case RuleKind::named_references:
-                if (!value.is_object()) refuse(value, pointer, "an object");
-                for (const auto& [name, element] : value.items())
-                    check_reference(element, pointer_to(pointer, name), rule);
+                check_named_references(value, pointer, rule);
+                break;
         }
     }
 
@@ -103,6 +102,12 @@ class RuleChecker {
         if (value.is_number_float()) value = static_cast<std::int64_t>(number);
     }
 
+    void check_named_references(json& value, const std::string& pointer, const PropertyRule& rule) const
+    {
+        if (!value.is_object()) refuse(value, pointer, "an object");
+        for (const auto& [name, element] : value.items()) check_reference(element, pointer_to(pointer, name), rule);
+    }
+
     void check_array(json& value, const std::string& pointer, const PropertyRule& rule)
     {
         if (!value.is_array()) refuse(value, pointer, "an array");
@@ -114,6 +119,8 @@ class RuleChecker {
                 check_object(value[i], place, rule.members);
             else if (rule.kind == RuleKind::references)
                 check_reference(value[i], place, rule);
+            else if (rule.kind == RuleKind::named_references_list)
+                check_named_references(value[i], place, rule);
             else
                 check_real(value[i], place, rule);
         }

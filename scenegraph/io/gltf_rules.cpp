@@ -134,6 +134,7 @@ constexpr PropertyRule kPrimitiveExtensions[] = {
 constexpr PropertyRule kPrimitives[] = {
     {.name = "attributes", .kind = named_references, .is_required = true, .target = "/accessors"},
     {.name = "indices", .kind = reference, .target = "/accessors"},
+    {.name = "targets", .kind = named_references_list, .target = "/accessors"},
     {.name = "material", .kind = reference, .target = "/materials"},
     {.name = "mode", .kind = whole, .min = 0, .max = 6},
     {.name = "extensions", .kind = object, .members = kPrimitiveExtensions},

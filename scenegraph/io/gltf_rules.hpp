@@ -11,14 +11,15 @@ namespace hw {
 enum class RuleKind : unsigned char {
     flag,
     text,
-    real,              ///< A finite number in [min, max].
-    whole,             ///< The same, whole.
-    reals,             ///< An array of numbers, each in [min, max], of min_size to max_size elements.
-    reference,         ///< An index into the array `target`.
-    references,        ///< An array of them.
-    named_references,  ///< An object of them.
-    object,            ///< An object that obeys `members`.
-    objects,           ///< An array of at most max_size of them.
+    real,                   ///< A finite number in [min, max].
+    whole,                  ///< The same, whole.
+    reals,                  ///< An array of numbers, each in [min, max], of min_size to max_size elements.
+    reference,              ///< An index into the array `target`.
+    references,             ///< An array of them.
+    named_references,       ///< An object of them.
+    named_references_list,  ///< An array of such objects.
+    object,                 ///< An object that obeys `members`.
+    objects,                ///< An array of at most max_size of them.
 };
 
 struct PropertyRule {
