@@ -208,16 +208,21 @@ std::string node_selector(const Scene& scene, int node)
     return escaped(path);
 }
 
-std::map<ObjectId, ObjectId> matching_objects(const Scene& before, const Scene& after)
+std::vector<ObjectKey> object_keys(const Scene& scene)
 {
-    const auto key = [](const Scene& scene, ObjectId id) {
-        return std::pair(scene.nodes[scene.objects[id].node].path, material_name(scene, id));
-    };
-    std::map<std::pair<std::string, std::string>, std::deque<ObjectId>> waiting;
-    for (ObjectId id = 0; id < after.objects.size(); ++id) waiting[key(after, id)].push_back(id);
+    std::vector<ObjectKey> keys;
+    for (ObjectId id = 0; id < scene.objects.size(); ++id)
+        keys.push_back({scene.nodes[scene.objects[id].node].path, material_name(scene, id)});
+    return keys;
+}
+
+std::map<ObjectId, ObjectId> matching_objects(const std::vector<ObjectKey>& before, const std::vector<ObjectKey>& after)
+{
+    std::map<ObjectKey, std::deque<ObjectId>> waiting;
+    for (ObjectId id = 0; id < after.size(); ++id) waiting[after[id]].push_back(id);
     std::map<ObjectId, ObjectId> new_of_old;
-    for (ObjectId id = 0; id < before.objects.size(); ++id) {
-        std::deque<ObjectId>& equals = waiting[key(before, id)];
+    for (ObjectId id = 0; id < before.size(); ++id) {
+        std::deque<ObjectId>& equals = waiting[before[id]];
         if (equals.empty()) continue;
         new_of_old[id] = equals.front();
         equals.pop_front();

@@ -67,8 +67,20 @@ std::vector<AssignRule> rules_for(const Level& level, const Scene& scene, const 
 /// globs are escaped.
 std::string node_selector(const Scene& scene, int node);
 
-/// For the objects of `before` that `after` has, too (same path, material and place among equals), their new numbers.
-std::map<ObjectId, ObjectId> matching_objects(const Scene& before, const Scene& after);
+/// What stays of an object when the model is exported anew: its node's path and its material's name.
+struct ObjectKey {
+    std::string path;
+    std::string material;
+
+    auto operator<=>(const ObjectKey&) const = default;
+};
+
+/// One for each object of the scene.
+std::vector<ObjectKey> object_keys(const Scene& scene);
+
+/// New numbers of the objects of `before` that are in `after`, too. Equal keys match in their order.
+std::map<ObjectId, ObjectId> matching_objects(const std::vector<ObjectKey>& before,
+                                              const std::vector<ObjectKey>& after);
 
 /// "Hall/Column_02" or, where a node has several primitives, "Hall/Column_02 (Plank)": for messages.
 std::string object_name(const Scene& scene, ObjectId object);

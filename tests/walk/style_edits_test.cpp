@@ -210,7 +210,7 @@ TEST(style_edits, follow_their_objects_into_a_changed_model)
 {
     hw::Scene changed = hall();
     changed.objects.erase(changed.objects.begin());  // the hall's planks are gone: all numbers move by one
-    const auto new_of_old = hw::matching_objects(hall(), changed);
+    const auto new_of_old = hw::matching_objects(hw::object_keys(hall()), hw::object_keys(changed));
     EXPECT_EQ(new_of_old.count(0), 0u);
     EXPECT_EQ(new_of_old.at(3), 2u);
     hw::StyleEdits edits;
