@@ -123,7 +123,7 @@ def _webs():
         for x in (-AISLE_X, AISLE_X):
             _web_faces(solid, index, AISLE, (x, y))
     _close_upwards(solid)
-    return make_mesh("Vault", solid, "Stone", smooth_deg=24)
+    return make_mesh("Vault", solid, "Plaster", smooth_deg=24)
 
 
 ARCADE = [(-0.34, -0.02), (-0.34, 0.16), (-0.22, 0.20), (-0.22, 0.32), (0.22, 0.32), (0.22, 0.20), (0.34, 0.16), (0.34, -0.02)]
