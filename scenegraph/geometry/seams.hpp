@@ -15,7 +15,8 @@ namespace hw {
 struct SeamObject {
     const Surface* surface = nullptr;
     glm::dmat4 world_from_object{1.0};
-    std::uint32_t style = 0;  ///< Only objects of one style hide each other's seams.
+    std::uint32_t style = 0;       ///< Only objects of one style hide each other's seams.
+    bool is_double_sided = false;  ///< Both sides of its faces are seen.
 };
 
 /// The lines of one object that are not drawn because the surface goes on across them, in the object itself or in a

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace hw {
+
+struct Segment {
+    glm::dvec3 from{0.0};
+    glm::dvec3 to{0.0};
+    std::uint32_t key = 0;  ///< Segments of different keys are never grouped.
+};
+
+/// Groups the segments that lie on one line, end to end or overlapping or apart, within `tolerance`. Returns lists of
+/// segment numbers, only those of two and more, in the order of their first member. Segments shorter than the tolerance
+/// are left out.
+std::vector<std::vector<std::uint32_t>> group_by_line(std::span<const Segment> segments, double tolerance);
+
+}  // namespace hw
