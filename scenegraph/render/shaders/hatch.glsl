@@ -69,6 +69,13 @@ float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, 
     return hw_line_ink(width, abs((st.x - line) / across + offset));
 }
 
+// The model's texture coordinates run downwards, box-projected ones upwards.
+#ifdef HW_HAS_UV0
+const vec2 kHwUp = vec2(1.0, -1.0);
+#else
+const vec2 kHwUp = vec2(1.0, 1.0);
+#endif
+
 // Turns coordinates and their derivatives: x runs across strokes of direction `angle` (radians, 0: along u).
 void hw_turn(float angle, vec2 uv, vec2 dx, vec2 dy, out vec2 st, out vec2 st_dx, out vec2 st_dy)
 {
@@ -103,7 +110,7 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
         if (layer < 2) ink = min(ink, full);
         float turned = layer == 2 ? 0.38 * h.cross_angle : float(layer) * h.cross_angle;
         vec2 st, st_dx, st_dy;
-        hw_turn(h.angle + turned, s.hatch_uv, s.hatch_uv_dx, s.hatch_uv_dy, st, st_dx, st_dy);
+        hw_turn(h.angle + turned, s.hatch_uv * kHwUp, s.hatch_uv_dx * kHwUp, s.hatch_uv_dy * kHwUp, st, st_dx, st_dy);
         float spacing = h.spacing_px * clamp(full / ink, 1.0, 4.0);
         paper *= 1.0 - hw_strokes(st, st_dx, st_dy, spacing, ink, h.hand);
         mean *= 1.0 - ink;
@@ -111,35 +118,34 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
     return 1.0 - paper;
 }
 
-// One texel row or plane of a map, blended between the two levels nearest to `level`. Maps hold ink coverage, each level
-// drawn by its maker, so levels are chosen here: what the hardware would take depends on its filters.
+// Ink of a map, blended between the two levels nearest to `level`. Each level was drawn by its maker, so levels are chosen
+// here: what the hardware would take depends on its filters.
 float hw_map_ink(sampler2D map, vec2 at, float level)
 {
     float finer = floor(level);
-    return mix(textureLod(map, at, finer).r, textureLod(map, at, finer + 1.0).r, level - finer);
+    float paper = mix(textureLod(map, at, finer).r, textureLod(map, at, finer + 1.0).r, level - finer);
+    return 1.0 - paper;
 }
 
-// Ink of a hatch map along `u` metres; `u_d`: its derivatives in the picture. `map_spacing`: texels between two lines, the
-// same at every level; `size_m`: width of the map on the surface. Nearer than the finest level and farther than the
-// coarsest that still separates lines, the map is scaled by octaves: lines of the next octave lie exactly on each second
-// one, so that nothing shows.
-float hw_hatch_map_ink(sampler2D map, float level_count, float map_spacing, float size_m, float u, vec2 u_d,
-                       float spacing_px)
+// Ink of a hatch map along `u` metres; `u_d`: its derivatives in the picture; `info`: hw_hatch_info. Every level holds lines
+// equally many texels apart. Nearer than the finest level and farther than the coarsest that still separates lines, the
+// map is scaled by octaves: lines of the next octave lie exactly on each second one, so that nothing shows.
+float hw_hatch_map_ink(sampler2D map, vec4 info, float u, vec2 u_d, float spacing_px)
 {
-    float width = float(textureSize(map, 0).x);
-    float texel_px = spacing_px * hw_px_scale / map_spacing;
-    float level = log2(clamp(length(u_d), 1e-12, 1e12) * texel_px * width / size_m);
-    float coarsest = max(log2(width / map_spacing) - 2.0, 0.0);
-    float shift = floor(level) - clamp(floor(level), 0.0, min(coarsest, level_count - 2.0));
-    return hw_map_ink(map, vec2(fract(u * exp2(-shift) / size_m), 0.5), level - shift);
+    float texel_px = spacing_px * hw_px_scale / info.y;
+    float level = log2(clamp(length(u_d), 1e-12, 1e12) * texel_px * info.z * info.x);
+    float coarsest = clamp(log2(info.z / info.y) - 2.0, 0.0, max(info.w - 2.0, 0.0));
+    float shift = floor(level) - clamp(floor(level), 0.0, floor(coarsest));
+    return hw_map_ink(map, vec2(fract(u * exp2(-shift) * info.x), 0.5), level - shift);
 }
 
-// Ink of a 2-D map at `at` (1 is the whole map); dx and dy its derivatives in the picture. The level follows the direction
-// in which the map is seen shortest: strokes keep their width there and never run together.
-float hw_ink_map_ink(sampler2D map, float level_count, vec2 at, vec2 at_dx, vec2 at_dy, float sharpness)
+// Ink of a 2-D map at `uv` metres, right and up; dx and dy its derivatives in the picture; `info`: hw_ink_info. The level
+// follows the direction in which the map is seen shortest, so that strokes never run together; `sharpness` 1 is one level
+// finer. Nearer than the finest level the drawing grows with the object, farther than the coarsest it is gone.
+float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float sharpness)
 {
-    vec2 size = vec2(textureSize(map, 0));
-    float texels = max(length(at_dx * size), length(at_dy * size)) * hw_px_scale;
-    float level = clamp(log2(max(texels, 1e-12)) - sharpness, 0.0, level_count - 1.0);
-    return hw_map_ink(map, at, min(level, level_count - 1.001));
+    vec2 to_map = info.x * vec2(1.0, -1.0 / info.y);
+    float texels = max(length(dx), length(dy)) * info.x * info.z * hw_px_scale;
+    float level = clamp(log2(clamp(texels, 1e-12, 1e12)) - sharpness, 0.0, info.w - 1.0);
+    return hw_map_ink(map, uv * to_map, level);
 }

@@ -29,10 +29,10 @@ float hw_hatching(HwSurface surface, HwMaterial material, float light)
     return hw_tonal_hatching(surface, hatching, hw_ink_of_light(material, light));
 #else
 #if defined(TONE_PLAIN) && defined(HW_HATCH_MAP)
-    vec2 across = vec2(-sin(angle), cos(angle));
+    vec2 across = vec2(-sin(angle), cos(angle)) * kHwUp;
     float u = dot(surface.hatch_uv, across);
     vec2 u_d = vec2(dot(surface.hatch_uv_dx, across), dot(surface.hatch_uv_dy, across));
-    return hw_hatch_map_ink(hw_hatch_map, hw_map_levels.x, hw_map_sizes.w, hw_map_sizes.x, u, u_d, hatch_size_px.x);
+    return hw_hatch_map_ink(hw_hatch_map, hw_hatch_info, u, u_d, hatch_size_px.x);
 #else
     return 0.0;
 #endif
@@ -42,9 +42,8 @@ float hw_hatching(HwSurface surface, HwMaterial material, float light)
 float hw_ink_map_detail(HwSurface surface)
 {
 #ifdef HW_INK_MAP
-    float scale = 1.0 / hw_map_sizes.y;
-    return ink_map_strength * hw_ink_map_ink(hw_ink_map, hw_map_levels.y, surface.hatch_uv * scale,
-                                             surface.hatch_uv_dx * scale, surface.hatch_uv_dy * scale, 0.0);
+    return ink_map_strength * hw_ink_map_ink(hw_ink_map, hw_ink_info, surface.hatch_uv * kHwUp,
+                                             surface.hatch_uv_dx * kHwUp, surface.hatch_uv_dy * kHwUp, 0.0);
 #else
     return 0.0;
 #endif
