@@ -26,7 +26,9 @@ struct Candidate {
 std::vector<Candidate> planes_by_area(const std::vector<BlockingPolygon>& polygons)
 {
     std::map<int, double> area_of_plane;
-    for (const BlockingPolygon& polygon : polygons) area_of_plane[polygon.polygon.plane] += area(polygon.polygon);
+    for (const BlockingPolygon& polygon : polygons) {
+        if (polygon.is_splitter) area_of_plane[polygon.polygon.plane] += area(polygon.polygon);
+    }
     std::vector<Candidate> result;
     for (const auto& [plane, plane_area] : area_of_plane) result.push_back({plane, plane_area});
     std::stable_sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
@@ -109,7 +111,10 @@ Parts split(const PlaneSet& planes, std::vector<BlockingPolygon> polygons, int p
 int build_node(BspBuild& build, std::vector<BlockingPolygon> polygons, int depth)
 {
     build.depth = std::max(build.depth, depth);
-    if (polygons.empty()) return ~(build.tree.leaf_count++);
+    if (std::none_of(polygons.begin(), polygons.end(), [](const BlockingPolygon& p) { return p.is_splitter; })) {
+        for (const BlockingPolygon& polygon : polygons) build.lost_area += area(polygon.polygon);
+        return ~(build.tree.leaf_count++);
+    }
     const int plane = best_splitter(build.planes, polygons);
     Parts parts = split(build.planes, std::move(polygons), plane);
     const int index = static_cast<int>(build.tree.nodes.size());

@@ -18,6 +18,7 @@ struct BlockingPolygon {
     PlanePolygon polygon;
     bool blocks_from_front = false;
     bool blocks_from_back = false;
+    bool is_splitter = true;  ///< False: blocks where a plane of the tree happens to hold it, never splits space itself.
 };
 
 /// An inner node. Children: a node's index, or a leaf as ~leaf.
@@ -45,6 +46,7 @@ struct BspBuild {
     std::array<std::int64_t, 3> box_max{};
     int depth = 0;
     int piece_count = 0;
+    double lost_area = 0.0;  ///< Square grid units of polygons that are no splitters and that no plane of the tree held.
 };
 
 /// Splits space by the planes of `polygons`, which lie within the box; every decision is exact, so no piece is lost,

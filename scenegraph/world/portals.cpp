@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "core/error.hpp"
 
@@ -180,19 +181,91 @@ void add_portals(const Pieces& pieces, double step_m, const Direction& way, Port
     for (Winding& winding : windings) add_portal(std::move(winding), way, graph);
 }
 
-void add_contact(const BspBuild& build, std::size_t node, const Contact& contact, PortalGraph& graph)
+/// What bounds each leaf, square metres, and which leaves are open to each other both ways.
+struct Surroundings {
+    std::vector<double> faces;
+    std::vector<double> backs;
+    std::vector<int> room;
+
+    explicit Surroundings(int leaf_count)
+        : faces(static_cast<std::size_t>(leaf_count)), backs(faces.size()), room(faces.size())
+    {
+        std::iota(room.begin(), room.end(), 0);
+    }
+    int room_of(int leaf)
+    {
+        while (room[static_cast<std::size_t>(leaf)] != leaf) {
+            int& up = room[static_cast<std::size_t>(leaf)];
+            up = room[static_cast<std::size_t>(up)];
+            leaf = up;
+        }
+        return leaf;
+    }
+    void join(int a, int b)
+    {
+        a = room_of(a);
+        b = room_of(b);
+        room[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+    /// The covered areas of a contact, seen from the one leaf and from the other.
+    void add(int leaf, double covered_here, double covered_there)
+    {
+        faces[static_cast<std::size_t>(leaf)] += covered_here;
+        backs[static_cast<std::size_t>(leaf)] += std::max(0.0, covered_there - covered_here);
+    }
+    std::vector<std::uint8_t> solid()
+    {
+        constexpr double kFew = 0.01;
+        std::vector<double> room_faces(faces.size());
+        std::vector<double> room_backs(faces.size());
+        for (std::size_t leaf = 0; leaf < faces.size(); ++leaf) {
+            const std::size_t base = static_cast<std::size_t>(room_of(static_cast<int>(leaf)));
+            room_faces[base] += faces[leaf];
+            room_backs[base] += backs[leaf];
+        }
+        std::vector<std::uint8_t> result(faces.size());
+        for (std::size_t leaf = 0; leaf < faces.size(); ++leaf) {
+            const std::size_t base = static_cast<std::size_t>(room_of(static_cast<int>(leaf)));
+            const bool is_room_solid = room_backs[base] > 0.0 && room_faces[base] <= kFew * room_backs[base];
+            const bool is_leaf_solid = backs[leaf] > 0.0 && faces[leaf] <= kFew * backs[leaf];
+            result[leaf] = is_room_solid || is_leaf_solid;
+        }
+        return result;
+    }
+};
+
+double total_area(const Pieces& pieces)
+{
+    double sum = 0.0;
+    for (const PlanePolygon& piece : pieces) sum += area(piece);
+    return sum;
+}
+
+void add_contact(const BspBuild& build, std::size_t node, const Contact& contact, Surroundings& surroundings,
+                 PortalGraph& graph)
 {
     const ExactPlane& plane = build.tree.nodes[node].plane;
     const double step_m = build.tree.grid.step_m;
     const double offset_m = plane.unit_offset * step_m;
     const std::vector<BlockingPolygon>& covers = build.polygons_of_node[node];
-    add_portals(uncovered(build, contact.polygon, covers, true), step_m,
-                {-plane.unit_normal, -offset_m, contact.front_leaf, contact.back_leaf}, graph);
-    add_portals(uncovered(build, contact.polygon, covers, false), step_m,
-                {plane.unit_normal, offset_m, contact.back_leaf, contact.front_leaf}, graph);
+    const Pieces backward = uncovered(build, contact.polygon, covers, true);
+    const Pieces forward = uncovered(build, contact.polygon, covers, false);
+    const std::size_t before = graph.portals.size();
+    add_portals(backward, step_m, {-plane.unit_normal, -offset_m, contact.front_leaf, contact.back_leaf}, graph);
+    const bool is_open_backward = graph.portals.size() > before;
+    const std::size_t between = graph.portals.size();
+    add_portals(forward, step_m, {plane.unit_normal, offset_m, contact.back_leaf, contact.front_leaf}, graph);
+    if (is_open_backward && graph.portals.size() > between) surroundings.join(contact.front_leaf, contact.back_leaf);
+
+    const double whole = area(contact.polygon);
+    const double seen_from_front = whole - total_area(backward);
+    const double seen_from_back = whole - total_area(forward);
+    surroundings.add(contact.front_leaf, seen_from_front, seen_from_back);
+    surroundings.add(contact.back_leaf, seen_from_back, seen_from_front);
 }
 
-void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, PortalGraph& graph)
+void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Surroundings& surroundings,
+              PortalGraph& graph)
 {
     if (child < 0) return;
     const std::size_t index = static_cast<std::size_t>(child);
@@ -205,13 +278,13 @@ void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Por
     const BspNode node = build.tree.nodes[index];
     push_down(build, node.front, std::move(polygon), [&](PlanePolygon in_front, int front_leaf) {
         push_down(build, node.back, std::move(in_front), [&](PlanePolygon piece, int back_leaf) {
-            add_contact(build, index, {std::move(piece), front_leaf, back_leaf}, graph);
+            add_contact(build, index, {std::move(piece), front_leaf, back_leaf}, surroundings, graph);
         });
     });
     ancestors.push_back({plane, false});
-    add_node(build, node.front, ancestors, graph);
+    add_node(build, node.front, ancestors, surroundings, graph);
     ancestors.back().is_flipped = true;
-    add_node(build, node.back, ancestors, graph);
+    add_node(build, node.back, ancestors, surroundings, graph);
     ancestors.pop_back();
 }
 
@@ -222,7 +295,9 @@ PortalGraph build_portals(BspBuild& build)
     PortalGraph graph;
     graph.leaf_count = build.tree.leaf_count;
     std::vector<SidePlane> ancestors;
-    if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, graph);
+    Surroundings surroundings(graph.leaf_count);
+    if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, surroundings, graph);
+    graph.is_solid = surroundings.solid();
     return graph;
 }
 

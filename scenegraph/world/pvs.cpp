@@ -35,6 +35,7 @@ int bit_count(const Words& words)
 /// A portal while it is worked on.
 struct FlowPortal {
     int to_leaf = 0;
+    bool is_in_solid = false;
     FlowPlane plane;
     Winding winding;
     Words sees;          ///< Leaves: coarse first; replaced by what the flow finds.
@@ -47,6 +48,11 @@ struct FlowGraph {
     ClipTolerance tolerance;
 };
 
+bool is_solid(const PortalGraph& graph, int leaf)
+{
+    return !graph.is_solid.empty() && graph.is_solid[static_cast<std::size_t>(leaf)] != 0;
+}
+
 FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
 {
     FlowGraph flow;
@@ -58,6 +64,7 @@ FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
         flow.portals_out_of[static_cast<std::size_t>(portal.from_leaf)].push_back(static_cast<int>(flow.portals.size()));
         FlowPortal& made = flow.portals.emplace_back();
         made.to_leaf = portal.to_leaf;
+        made.is_in_solid = is_solid(graph, portal.from_leaf);
         made.plane = {portal.normal, portal.offset};
         made.winding = Winding(portal.winding);
     }
@@ -237,8 +244,10 @@ int flow_all(FlowGraph& graph, const PvsOptions& options)
 {
     constexpr std::size_t kSmallestBatch = 32;
     constexpr double kStepsPerSecond = 3e6;  // per thread, roughly; a count, not a clock, so that rows stay the same
-    std::vector<int> order(graph.portals.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> order;
+    for (std::size_t i = 0; i < graph.portals.size(); ++i) {
+        if (!graph.portals[i].is_in_solid) order.push_back(static_cast<int>(i));
+    }
     std::vector<int> sizes;
     for (const FlowPortal& portal : graph.portals) sizes.push_back(bit_count(portal.sees));
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -285,6 +294,10 @@ PvsResult build_pvs(const PortalGraph& graph, const PvsOptions& options)
     result.rows = LeafRows(graph.leaf_count);
     for (int leaf = 0; leaf < graph.leaf_count; ++leaf) {
         const std::span<std::uint64_t> row = result.rows.row(leaf);
+        if (is_solid(graph, leaf)) {
+            for (int seen = 0; seen < graph.leaf_count; ++seen) row[static_cast<std::size_t>(seen) / 64] |= std::uint64_t{1} << (seen % 64);
+            continue;
+        }
         row[static_cast<std::size_t>(leaf) / 64] |= std::uint64_t{1} << (leaf % 64);
         for (const int number : flow.portals_out_of[static_cast<std::size_t>(leaf)]) {
             const Words& sees = flow.portals[static_cast<std::size_t>(number)].sees;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "core/glob.hpp"
@@ -78,6 +79,38 @@ double largest_side(const Box& box)
     return std::max({s.x * s.y, s.y * s.z, s.z * s.x});
 }
 
+/// The planes of the polygons; the area in each is what counts: a wall may be made of many small panels.
+void choose_splitters(std::vector<FlatPolygon>& polygons, const Level& level, const StructureOptions& options,
+                      Structure& structure)
+{
+    const double square_m = structure.grid.step_m * structure.grid.step_m;
+    std::vector<SidePlane> planes;
+    std::vector<double> area_of_plane;
+    for (const FlatPolygon& flat : polygons) {
+        planes.push_back(structure.planes.add(flat.plane));
+        area_of_plane.resize(static_cast<std::size_t>(structure.planes.size()));
+        area_of_plane[static_cast<std::size_t>(planes.back().plane)] += flat.area;
+    }
+    std::vector<std::size_t> order(polygons.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto plane_area = [&](std::size_t i) { return area_of_plane[static_cast<std::size_t>(planes[i].plane)]; };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return plane_area(a) != plane_area(b) ? plane_area(a) > plane_area(b) : polygons[a].area > polygons[b].area;
+    });
+    const double least = level.structure ? 0.0 : options.least_area_share * structure.scene_side_m2 / square_m;
+    for (const std::size_t i : order) {
+        const FlatPolygon& flat = polygons[i];
+        BlockingPolygon polygon;
+        polygon.polygon = polygon_over_ring(structure.planes, planes[i].plane, flat.ring);
+        polygon.blocks_from_front = planes[i].is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
+        polygon.blocks_from_back = planes[i].is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
+        polygon.is_splitter = plane_area(i) >= least && structure.splitters < options.max_splitters;
+        structure.splitters += polygon.is_splitter;
+        structure.area_m2 += area(polygon.polygon) * square_m;
+        structure.polygons.push_back(std::move(polygon));
+    }
+}
+
 }  // namespace
 
 Structure choose_structure(const Scene& scene, const Level& level, const StructureOptions& options)
@@ -90,6 +123,7 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
         return structure;
     }
     set_box(structure, scene.bounds_world);
+    structure.scene_side_m2 = largest_side(scene.bounds_world);
 
     const std::vector<char> is_structural = structural_nodes(scene, level);
     std::vector<GridTriangle> triangles;
@@ -101,23 +135,7 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
         add_object(scene, id, structure.grid, triangles);
     }
     std::vector<FlatPolygon> polygons = merge_coplanar(triangles, 1e-5 / structure.grid.step_m);
-    const double square_m = structure.grid.step_m * structure.grid.step_m;
-    const double least = level.structure ? 0.0 : options.least_area_share * largest_side(scene.bounds_world) / square_m;
-    std::stable_sort(polygons.begin(), polygons.end(),
-                     [](const FlatPolygon& a, const FlatPolygon& b) { return a.area > b.area; });
-    for (const FlatPolygon& flat : polygons) {
-        if (flat.area < least || structure.polygons.size() >= static_cast<std::size_t>(options.max_polygons)) {
-            ++structure.left_out;
-            continue;
-        }
-        const SidePlane plane = structure.planes.add(flat.plane);
-        BlockingPolygon polygon;
-        polygon.polygon = polygon_over_ring(structure.planes, plane.plane, flat.ring);
-        polygon.blocks_from_front = plane.is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
-        polygon.blocks_from_back = plane.is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
-        structure.area_m2 += area(polygon.polygon) * square_m;
-        structure.polygons.push_back(std::move(polygon));
-    }
+    choose_splitters(polygons, level, options, structure);
     return structure;
 }
 

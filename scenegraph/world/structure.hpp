@@ -12,19 +12,20 @@ namespace hw {
 
 /// What becomes structure where the level does not say.
 struct StructureOptions {
-    int max_polygons = 3000;
-    double least_area_share = 1e-4;  ///< Of the largest side of the scene's box; smaller polygons hide too little.
+    int max_splitters = 3000;
+    double least_area_share = 1e-3;  ///< All that lies in one plane, of the largest side of the scene's box.
 };
 
 /// The polygons that partition space and block sight, snapped to the grid.
 struct Structure {
     Grid grid;
     PlaneSet planes;
-    std::vector<BlockingPolygon> polygons;     ///< Largest first.
+    std::vector<BlockingPolygon> polygons;     ///< By the area in their plane, largest first: splitters, then the rest.
+    int splitters = 0;
     std::array<std::int64_t, 3> box_min{};     ///< A box of grid points around the scene, a little larger.
     std::array<std::int64_t, 3> box_max{};
-    double area_m2 = 0.0;                      ///< Of the chosen polygons.
-    int left_out = 0;                          ///< Merged polygons over the budget or below the least area.
+    double scene_side_m2 = 0.0;                ///< Area of the largest side of the scene's box.
+    double area_m2 = 0.0;                      ///< Of all polygons.
 };
 
 /// Chooses and merges the structure of a scene: opaque, static triangles of the objects that Level::structure names (its

@@ -88,7 +88,8 @@ void show_leaf(const Visibility& visibility, int leaf, std::vector<std::uint8_t>
     }
 }
 
-double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const Visibility& visibility)
+double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const Visibility& visibility,
+                             const std::vector<std::uint8_t>& is_solid)
 {
     std::vector<double> triangles;
     for (const ChunkSlot& slot : visibility.slots) {
@@ -96,28 +97,33 @@ double average_visible_share(const Scene& scene, std::span<const MeshChunks> chu
         triangles.push_back(chunks_of_mesh[mesh][slot.chunk].index_count / 3.0);
     }
     const double total = std::accumulate(triangles.begin(), triangles.end(), 0.0);
-    if (total == 0.0) return 1.0;
+    const auto open_leaves = std::count(is_solid.begin(), is_solid.end(), std::uint8_t{0});
+    if (total == 0.0 || open_leaves == 0) return 1.0;
     double sum = 0.0;
     std::vector<std::uint8_t> is_visible(visibility.slots.size());
     for (int leaf = 0; leaf < visibility.tree.leaf_count; ++leaf) {
+        if (is_solid[static_cast<std::size_t>(leaf)]) continue;
         std::fill(is_visible.begin(), is_visible.end(), std::uint8_t{0});
         visit_bits(visibility.rows.row(leaf), [&](int seen) { show_leaf(visibility, seen, is_visible); });
         for (std::size_t slot = 0; slot < is_visible.size(); ++slot) sum += is_visible[slot] ? triangles[slot] : 0.0;
     }
-    return sum / total / visibility.tree.leaf_count;
+    return sum / total / static_cast<double>(open_leaves);
 }
 
 BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOptions& options, VisibilityStats& stats)
 {
     StructureOptions structure_options;
-    structure_options.max_polygons = options.max_structure_polygons;
+    structure_options.max_splitters = options.max_structure_polygons;
+    structure_options.least_area_share = options.least_area_share;
     Structure structure = choose_structure(scene, level, structure_options);
     while (true) {
         BspBuild build =
             build_bsp(structure.grid, structure.planes, structure.polygons, structure.box_min, structure.box_max);
-        stats.structure_polygons = static_cast<int>(structure.polygons.size());
-        if (build.tree.leaf_count <= options.max_leaves || structure.polygons.size() < 2) return build;
-        structure.polygons.resize(structure.polygons.size() * 2 / 3);
+        stats.structure_polygons = structure.splitters;
+        if (build.tree.leaf_count <= options.max_leaves || structure.splitters < 2) return build;
+        const int kept = structure.splitters * 2 / 3;
+        for (int i = kept; i < structure.splitters; ++i) structure.polygons[static_cast<std::size_t>(i)].is_splitter = false;
+        structure.splitters = kept;
     }
 }
 
@@ -142,9 +148,10 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
 
     VisibilityStats& stats = visibility.stats;
     stats.leaves = visibility.tree.leaf_count;
+    stats.solid_leaves = static_cast<int>(std::count(graph.is_solid.begin(), graph.is_solid.end(), std::uint8_t{1}));
     stats.portals = static_cast<int>(graph.portals.size());
     stats.coarse_portals = pvs.coarse_portals;
-    stats.average_visible_share = average_visible_share(scene, chunks_of_mesh, visibility);
+    stats.average_visible_share = average_visible_share(scene, chunks_of_mesh, visibility, graph.is_solid);
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return visibility;
 }

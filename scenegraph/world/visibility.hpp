@@ -17,6 +17,7 @@ namespace hw {
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
     int max_structure_polygons = 3000;  ///< Budget of the automatic choice; the largest polygons win.
+    double least_area_share = 1e-3;     ///< Least area in one plane, of the largest side of the scene's box.
     int max_leaves = 6000;              ///< Past this the smallest structure polygons are left out.
     double flow_seconds = 20.0;         ///< Rough time after which portals keep their coarse answer; 0: no limit.
     int threads = 0;                    ///< 0: as many as the machine has.
@@ -31,9 +32,10 @@ struct ChunkSlot {
 struct VisibilityStats {
     int structure_polygons = 0;
     int leaves = 0;
+    int solid_leaves = 0;                ///< Inside of walls: an eye there sees everything.
     int portals = 0;
     int coarse_portals = 0;              ///< Portals whose flow ran out of budget and kept the coarse answer.
-    double average_visible_share = 1.0;  ///< Triangles in the row of a leaf over all, mean over the leaves.
+    double average_visible_share = 1.0;  ///< Triangles in a row over all, mean over the leaves not solid.
     double seconds = 0.0;
 };
 

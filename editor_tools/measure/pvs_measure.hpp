@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh_chunks.hpp"
+#include "world/scene.hpp"
+#include "world/visibility.hpp"
+
+namespace hw::measure {
+
+struct PvsRayOptions {
+    std::uint64_t rays = 10'000'000;
+    std::uint64_t seed = 1;
+};
+
+/// A ray that meets what the rows hide.
+struct FalseInvisible {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0.0};
+    std::uint32_t slot = 0;
+};
+
+struct PvsRayResult {
+    std::uint64_t rays = 0;
+    std::uint64_t hits = 0;
+    std::uint64_t claims = 0;           ///< Rays in float that met a hidden chunk.
+    std::uint64_t false_invisibles = 0; ///< Those of them that exact arithmetic confirms. Must be 0.
+    int leaves = 0;                     ///< Open leaves with enough rays to speak of a truth.
+    double row_share = 0.0;             ///< Mean share of triangles in the rows of these leaves.
+    double sampled_share = 0.0;         ///< Mean share of triangles that their rays met.
+    std::vector<FalseInvisible> examples;  ///< At most sixteen.
+};
+
+/// Shoots rays from places all over the scene, half of them anywhere in its box and half near drawn surfaces, and compares
+/// what they meet with what visible_chunks() shows there. Places inside of walls (a row that shows everything) are left out.
+PvsRayResult measure_pvs(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const Visibility& visibility,
+                         const PvsRayOptions& options);
+
+}  // namespace hw::measure
