@@ -154,5 +154,13 @@ void GpuProgram::set(int location, const glm::mat4& value)
 {
     glUniformMatrix4fv(location, 1, GL_FALSE, glm::value_ptr(value));
 }
+void GpuProgram::set(int location, std::span<const float> values)
+{
+    glUniform1fv(location, static_cast<GLsizei>(values.size()), values.data());
+}
+void GpuProgram::set(int location, std::span<const glm::vec3> values)
+{
+    glUniform3fv(location, static_cast<GLsizei>(values.size()), &values[0].x);
+}
 
 }  // namespace hw

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -37,6 +38,8 @@ class GpuProgram {
     static void set(int location, const glm::vec4& value);
     static void set(int location, const glm::mat3& value);
     static void set(int location, const glm::mat4& value);
+    static void set(int location, std::span<const float> values);
+    static void set(int location, std::span<const glm::vec3> values);
 
     std::uint32_t id() const { return id_; }
 

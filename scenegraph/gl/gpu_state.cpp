@@ -52,12 +52,15 @@ void GpuState::forget()
     textures_.fill(0);
     glUseProgram(0);
     glBindVertexArray(0);
-    if (epoxy_is_desktop_gl()) {
-        // Targets in sRGB are drawn and blended in linear light; ES always does so.
-        glEnable(GL_FRAMEBUFFER_SRGB);
-        glEnable(GL_PROGRAM_POINT_SIZE);
-    }
+    if (epoxy_is_desktop_gl()) glEnable(GL_PROGRAM_POINT_SIZE);
+    set_srgb_targets(true);
     glDisable(GL_DITHER);
+}
+
+void GpuState::set_srgb_targets(bool is_on)
+{
+    // Targets in sRGB are drawn and blended in linear light; ES always does so.
+    if (epoxy_is_desktop_gl()) enable(GL_FRAMEBUFFER_SRGB, is_on);
 }
 
 void GpuState::apply(const PipelineState& state)

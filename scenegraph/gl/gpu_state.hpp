@@ -44,6 +44,8 @@ class GpuState {
  public:
     /// Sets everything without looking: after foreign code used the context.
     void forget();
+    /// Off for a window, which stores what it is given; on by default. ES knows no windows here.
+    void set_srgb_targets(bool is_on);
     void apply(const PipelineState& state);
     void use(const GpuProgram& program);
     void bind(const GpuVertexArray& array);

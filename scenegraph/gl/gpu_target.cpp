@@ -137,6 +137,8 @@ void GpuTarget::show_in_window(glm::ivec2 size_px) const
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, id_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    // The bytes go over as they are: whether a window counts as sRGB differs between systems.
+    if (epoxy_is_desktop_gl()) glDisable(GL_FRAMEBUFFER_SRGB);
     glBlitFramebuffer(0, 0, desc_.size_px.x, desc_.size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT,
                       size_px == desc_.size_px ? GL_NEAREST : GL_LINEAR);
 }

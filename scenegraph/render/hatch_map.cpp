@@ -22,7 +22,8 @@ Pixels drawn_level(int width, double spacing, double line)
 {
     Pixels level{.width = width, .height = 1, .channels = 1};
     for (int x = 0; x < width; ++x) {
-        // Lines lie on the borders between texels 0 and -1, so that the border of a coarser level is one of a finer level.
+        // Lines lie on the borders between texels 0 and -1, so that the border of a coarser level is one of a finer
+        // level.
         const double ink = width >= spacing ? inked(x, x + 1.0, spacing, line) : line / spacing;
         level.bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - std::clamp(ink, 0.0, 1.0)))));
     }
@@ -36,7 +37,8 @@ MapLevels make_hatch_map(const HatchMapDesc& desc)
     HW_ASSERT(desc.width_texels > 0 && std::has_single_bit(static_cast<unsigned>(desc.width_texels)));
     HW_ASSERT(desc.spacing_texels > 0 && std::has_single_bit(static_cast<unsigned>(desc.spacing_texels)));
     HW_ASSERT(desc.line_texels >= 0.0 && desc.line_texels <= desc.spacing_texels);
-    MapLevels map{.kind = MapKind::hatch, .size_m = desc.width_texels / 1024.0,
+    MapLevels map{.kind = MapKind::hatch,
+                  .size_m = desc.width_texels / 1024.0,
                   .spacing_texels = static_cast<double>(desc.spacing_texels)};
     for (int width = desc.width_texels; width >= 1; width /= 2)
         map.levels.push_back(drawn_level(width, desc.spacing_texels, desc.line_texels));

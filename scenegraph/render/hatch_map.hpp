@@ -6,9 +6,9 @@ namespace hw {
 
 /// How a hatch map's lines are drawn. One texel becomes about one logical pixel.
 struct HatchMapDesc {
-    int width_texels = 2048;       ///< Of the finest level, a power of two: 2^n gives n + 1 levels.
-    int spacing_texels = 8;        ///< Between two lines at every level, a power of two.
-    double line_texels = 1.25;     ///< Width of a line, at most the spacing.
+    int width_texels = 2048;    ///< Of the finest level, a power of two: 2^n gives n + 1 levels.
+    int spacing_texels = 8;     ///< Between two lines at every level, a power of two.
+    double line_texels = 1.25;  ///< Width of a line, at most the spacing.
 };
 
 /// A hatch map, N x 1 texels: parallel lines, equally far apart in texels at every level, so that a line of the next

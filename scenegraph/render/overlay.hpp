@@ -7,7 +7,8 @@
 
 namespace hw {
 
-/// Text over the picture, in a fixed 8 x 16 font. '\n' starts a new line; characters outside of ASCII show as '?'.
+/// Text over the picture, in a fixed font of 12 x 16 logical pixels. '\n' starts a new line; characters outside of
+/// ASCII show as '?'.
 struct OverlayText {
     glm::vec2 position_px{8.0f};  ///< Logical pixels from the top left corner; negative: from the right or bottom edge.
     std::string text;

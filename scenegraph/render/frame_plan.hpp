@@ -1,0 +1,35 @@
+#pragma once
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "render/renderer.hpp"
+#include "render/visible_set.hpp"
+
+namespace hw {
+
+/// The items of one style in one frame, near before far.
+struct StyleItems {
+    std::vector<DrawItem> base;     ///< Opaque and masked, the object's first style.
+    std::vector<DrawItem> over;     ///< Opaque and masked, its second.
+    std::vector<DrawItem> blended;  ///< glTF BLEND, either.
+    bool is_empty() const { return base.empty() && over.empty() && blended.empty(); }
+};
+
+/// Items that one call of a style draws.
+struct StyleRun {
+    int style = kNone;
+    std::vector<DrawItem> items;
+};
+
+/// Who draws what in a frame.
+struct FramePlan {
+    std::vector<StyleItems> styles;      ///< One for each named style.
+    std::vector<StyleRun> blended_runs;  ///< Back to front across styles.
+};
+
+/// Sorts the visible objects by style. A DrawItem's slot is its place in `visible.objects`.
+FramePlan plan_frame(const SceneInput& input, const VisibleSet& visible);
+
+}  // namespace hw

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gl/gpu_buffer.hpp"
+#include "gl/gpu_texture.hpp"
+#include "render/program_store.hpp"
+#include "world/map_levels.hpp"
+#include "world/scene.hpp"
+
+namespace hw {
+
+/// A mesh on the device.
+struct GpuMesh {
+    GpuBuffer vertices;
+    GpuBuffer indices;
+    GpuVertexArray array;
+    SurfaceFeatures features = 0;  ///< Its vertex streams.
+    float metres_per_uv = 1.0f;    ///< How far a unit of uv0 reaches on the surface, object space, at the median.
+    std::uint32_t index_count = 0;
+    // Three vertices of its own for each triangle, for triangle ids. Made when an image of them is asked for.
+    GpuBuffer loose_vertices;
+    GpuVertexArray loose_array;
+};
+
+/// A material on the device: ids of textures, 0 where there is none.
+struct GpuMaterial {
+    SurfaceFeatures features = 0;
+    std::uint32_t base_colour = 0;
+    std::uint32_t metallic_roughness = 0;
+    std::uint32_t normal = 0;
+    std::uint32_t occlusion = 0;
+    std::uint32_t emissive = 0;
+};
+
+struct GpuMap {
+    GpuTexture texture;
+    glm::vec4 info{1.0f};  ///< hw_hatch_info, hw_ink_info or hw_tonal_info of surface.glsl.
+};
+
+/// What the device holds of a scene. Meshes are uploaded at once, maps when named, textures with their materials.
+class GpuScene {
+ public:
+    GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps);
+
+    const GpuMesh& mesh(int index) const { return meshes_[index]; }
+    const GpuMaterial& material(int index) const { return materials_[index]; }
+    const GpuMesh& mesh_of(ObjectId object) const { return meshes_[scene_.objects[object].mesh]; }
+    const GpuMaterial& material_of(ObjectId object) const { return materials_[scene_.objects[object].material]; }
+    const GpuMap& map(int index);
+    /// The mesh with loose vertices for triangle ids.
+    const GpuMesh& loose_mesh(int index);
+
+ private:
+    std::uint32_t texture(const TextureUse& use, bool is_srgb);
+    GpuMaterial upload(const Material& material);
+
+    const Scene& scene_;
+    std::vector<const MapLevels*> maps_;
+    std::vector<GpuMesh> meshes_;
+    std::vector<GpuMaterial> materials_;
+    std::vector<std::optional<GpuMap>> gpu_maps_;
+    std::map<std::pair<int, bool>, GpuTexture> textures_;
+};
+
+}  // namespace hw

@@ -1,0 +1,168 @@
+#include "render/line_drawer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/frame_block.hpp"
+#include "render/presence_uniforms.hpp"
+
+namespace hw {
+namespace {
+
+constexpr PipelineState kLineState{
+    .depth_test = DepthTest::less_equal, .writes_depth = false, .blending = Blending::over, .culling = Culling::off};
+
+Viewpoint viewpoint_of(const View& view)
+{
+    if (!is_orthographic(view)) return {view.eye_world, false};
+    // The third row of the rotation: where the viewer is, seen from the scene.
+    const glm::mat4& m = view.view_from_world;
+    return {glm::dvec3(m[0][2], m[1][2], m[2][2]), true};
+}
+
+float width_px(const View& view, const LineLook& look, LineClass line_class)
+{
+    const auto i = static_cast<std::size_t>(line_class);
+    return look.is_drawn[i] ? std::max(look.width_px[i], 0.0f) * view.px_scale : 0.0f;
+}
+
+}  // namespace
+
+/// Lines that one draw call draws.
+struct LineDrawer::Stretch {
+    std::uint32_t first_line = 0;
+    std::uint32_t count = 0;
+    float width_px = 0.0f;
+};
+
+LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state)
+    : device_(device), programs_(programs), state_(state)
+{
+}
+
+LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) const
+{
+    if (frame.path == LinePath::quads) return LinePath::quads;
+    const float widest = *std::max_element(look.width_px.begin(), look.width_px.end()) * frame.view->px_scale;
+    const bool fits = widest <= device_.max_line_width_px && widest + 1.0f <= device_.max_point_size_px;
+    if (frame.path == LinePath::native) return fits ? LinePath::native : LinePath::quads;
+    // Without multisampling a diagonal GL_LINES line comes out 12 % thin, and GL_LINES cannot taper.
+    const bool serves = fits && frame.samples > 1 && look.depth_taper == 0.0f;
+    return serves ? LinePath::native : LinePath::quads;
+}
+
+std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineLook& look,
+                                                          std::span<const LineItem> items, EdgeStore& edges)
+{
+    std::vector<std::uint32_t> first_lines;
+    vertices_.clear();
+    const Viewpoint viewpoint = viewpoint_of(*frame.view);
+    for (const LineItem& item : items) {
+        first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
+        const Surface* surface = edges.surface(item.object->object);
+        const LineMesh* lines = edges.lines(item.object->object);
+        if (surface == nullptr || width_px(*frame.view, look, LineClass::silhouette) <= 0.0f) continue;
+        const float crease_rad = std::max(look.crease_rad, lines->crease_rad);
+        const std::uint64_t idle = scratch_.counters.objects_without_work;
+        const Viewpoint here = in_object(viewpoint, edges.world_from_object(item.object->object));
+        const auto contours = drawn_contours(*surface, here, {.crease_rad = crease_rad}, scratch_);
+        if (scratch_.counters.objects_without_work == idle) ++counters_.silhouette_extractions;
+        counters_.silhouette_edges += contours.size();
+        for (const std::uint32_t edge : contours) {
+            const auto& ends = surface->edges.vertices[edge];
+            append_line(vertices_, surface->positions[ends[0]], surface->positions[ends[1]], LineClass::silhouette);
+        }
+    }
+    first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
+    edges.indices().reserve(first_lines.back());
+    if (stream_.vertices.id() == 0) stream_ = make_line_buffer(edges.indices());
+    if (!vertices_.empty()) stream_.vertices.stream(std::as_bytes(std::span(vertices_)));
+    return first_lines;
+}
+
+void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges)
+{
+    const LinePath path = path_for(frame, look);
+    const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, look, items, edges);
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const ObjectId object = items[i].object->object;
+        const LineMesh* lines = edges.lines(object);
+        if (lines == nullptr) continue;
+        stretches.clear();
+        for (const LineMesh::Run& run : lines->runs) {
+            const float width = width_px(*frame.view, look, run.line_class);
+            if (width <= 0.0f) continue;
+            const std::uint32_t count = look.crease_rad > lines->crease_rad
+                                            ? run_length_at(run, *edges.surface(object), look.crease_rad)
+                                            : run.count;
+            const bool continues = !stretches.empty() &&
+                                   stretches.back().first_line + stretches.back().count == run.first_line &&
+                                   (path == LinePath::quads || stretches.back().width_px == width);
+            if (continues)
+                stretches.back().count += count;
+            else
+                stretches.push_back({run.first_line, count, width});
+        }
+        draw_stretches(path, frame, look, items[i], *lines, lines->buffer, stretches);
+        const Stretch silhouettes{first_lines[i], first_lines[i + 1] - first_lines[i],
+                                  width_px(*frame.view, look, LineClass::silhouette)};
+        draw_stretches(path, frame, look, items[i], *lines, stream_, {&silhouettes, 1});
+    }
+}
+
+void LineDrawer::set_uniforms(const GpuProgram& program, const LineFrame& frame, const LineLook& look,
+                              const LineItem& item, const LineMesh& lines) const
+{
+    const View& view = *frame.view;
+    GpuProgram::set(program.location("hw_clip_from_object"), item.object->clip_from_object);
+    GpuProgram::set(program.location("hw_relative_from_object"), item.object->relative_from_object);
+    std::array<float, kLineClassCount> widths;
+    std::array<glm::vec3, kLineClassCount> colours;
+    for (int i = 0; i < kLineClassCount; ++i) {
+        widths[i] = width_px(view, look, static_cast<LineClass>(i));
+        colours[i] = linear_from_srgb(look.colour[i]);
+    }
+    GpuProgram::set(program.location("hw_line_width_px[0]"), std::span<const float>(widths));
+    GpuProgram::set(program.location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
+    GpuProgram::set(program.location("hw_line_fade"),
+                    glm::vec4(lines.mean_length * item.object->scale, look.far.none_spacing_px * view.px_scale,
+                              look.far.full_spacing_px * view.px_scale, look.far.is_on ? 1.0f : 0.0f));
+    GpuProgram::set(program.location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
+    set_presence(program.location("hw_presence_height"), program.location("hw_presence_inverted"), *item.item,
+                 view.time_s);
+}
+
+void LineDrawer::draw_stretches(LinePath path, const LineFrame& frame, const LineLook& look, const LineItem& item,
+                                const LineMesh& lines, const LineBuffer& buffer, std::span<const Stretch> stretches)
+{
+    const bool is_empty =
+        std::all_of(stretches.begin(), stretches.end(), [](const Stretch& s) { return s.count == 0; });
+    if (is_empty || !shows_at_all(*item.item, frame.view->time_s)) return;
+    const char* presence = has_presence(*item.item) ? "#define HW_PRESENCE 1\n" : "";
+    if (path == LinePath::quads) {
+        const LinkedProgram& program = programs_.engine("line_quad.vert", "line_quad.frag", presence);
+        state_.apply(kLineState);
+        state_.use(program.gpu);
+        set_uniforms(program.gpu, frame, look, item, lines);
+        state_.bind(buffer.as_quads);
+        for (const Stretch& s : stretches) state_.draw_indexed(Primitive::triangles, s.first_line * 6, s.count * 6);
+        return;
+    }
+    for (const Primitive primitive : {Primitive::lines, Primitive::points}) {
+        const std::string defines =
+            std::string(presence) + (primitive == Primitive::points ? "#define HW_ROUND_POINT 1\n" : "");
+        const LinkedProgram& program = programs_.engine("line_end.vert", "line_end.frag", defines);
+        state_.use(program.gpu);
+        set_uniforms(program.gpu, frame, look, item, lines);
+        state_.bind(buffer.as_ends);
+        for (const Stretch& s : stretches) {
+            PipelineState line_state = kLineState;
+            line_state.line_width_px = s.width_px;
+            state_.apply(line_state);
+            state_.draw_indexed(primitive, s.first_line * 2, s.count * 2);
+        }
+    }
+}
+
+}  // namespace hw

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+
+#include "gl/context.hpp"
+#include "gl/gpu_state.hpp"
+#include "render/edge_store.hpp"
+#include "render/program_store.hpp"
+#include "render/renderer.hpp"
+#include "render/visible_set.hpp"
+#include "style/draw_item.hpp"
+#include "style/view.hpp"
+
+namespace hw {
+
+/// How lines reach the picture in one frame.
+struct LineFrame {
+    const View* view = nullptr;
+    int samples = 1;
+    LinePath path = LinePath::automatic;
+};
+
+/// An item whose lines are drawn and where its object stands.
+struct LineItem {
+    const DrawItem* item = nullptr;
+    const VisibleObject* object = nullptr;
+};
+
+struct LineCounters {
+    int silhouette_extractions = 0;
+    std::uint64_t silhouette_edges = 0;
+};
+
+/// Draws objects' lines: those of their line meshes, and the silhouettes from this eye. Hidden parts fall to the depth
+/// test; faces were drawn with kFaceOffset.
+class LineDrawer {
+ public:
+    LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state);
+
+    void draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges);
+    LineCounters take_counters() { return std::exchange(counters_, {}); }
+
+ private:
+    struct Uniforms;
+    struct Stretch;
+
+    LinePath path_for(const LineFrame& frame, const LineLook& look) const;
+    std::vector<std::uint32_t> stream_silhouettes(const LineFrame& frame, const LineLook& look,
+                                                  std::span<const LineItem> items, EdgeStore& edges);
+    void set_uniforms(const GpuProgram& program, const LineFrame& frame, const LineLook& look, const LineItem& item,
+                      const LineMesh& lines) const;
+    void draw_stretches(LinePath path, const LineFrame& frame, const LineLook& look, const LineItem& item,
+                        const LineMesh& lines, const LineBuffer& buffer, std::span<const Stretch> stretches);
+
+    const DeviceInfo& device_;
+    ProgramStore& programs_;
+    GpuState& state_;
+    LineBuffer stream_;
+    SilhouetteScratch scratch_;
+    std::vector<LineVertex> vertices_;
+    LineCounters counters_;
+};
+
+/// The one polygon offset of all faces, so that lines on them are seen and passes of equal depth agree.
+inline constexpr float kFaceOffsetFactor = 1.5f;
+inline constexpr float kFaceOffsetUnits = 4.0f;
+
+}  // namespace hw

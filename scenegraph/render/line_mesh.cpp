@@ -1,0 +1,154 @@
+#include "render/line_mesh.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace hw {
+namespace {
+
+constexpr std::uint32_t kFirstCapacity = 4096;
+
+bool is_among(std::span<const std::uint32_t> rising, std::uint32_t id)
+{
+    return std::binary_search(rising.begin(), rising.end(), id);
+}
+
+/// The artist's edges and borders are drawn at every crease angle.
+bool is_cut_by_angle(EdgeGroup group)
+{
+    return group == EdgeGroup::convex || group == EdgeGroup::reflex || group == EdgeGroup::reflex_silent;
+}
+
+/// Gathers runs of lines in the order in which they are drawn.
+class RunBuilder {
+ public:
+    RunBuilder(const Surface& surface, const Seams* seams) : surface_(surface), seams_(seams) {}
+
+    void add(EdgeRange range, LineClass line_class, EdgeGroup group)
+    {
+        LineMesh::Run run{line_class, line_count(), 0, group, {}};
+        for (std::uint32_t id = range.begin; id < range.end; ++id) {
+            if (is_hidden(id)) continue;
+            const auto& ends = surface_.edges.vertices[id];
+            add_line(surface_.positions[ends[0]], surface_.positions[ends[1]], line_class);
+            if (is_cut_by_angle(group)) run.edge_ids.push_back(id);
+        }
+        finish(std::move(run));
+    }
+    void add_kept_pieces()
+    {
+        if (seams_ == nullptr) return;
+        LineMesh::Run run{LineClass::border, line_count(), 0, EdgeGroup::border, {}};
+        for (const auto& piece : seams_->kept) add_line(piece[0], piece[1], LineClass::border);
+        finish(std::move(run));
+    }
+
+    std::vector<LineVertex> vertices;
+    std::vector<LineMesh::Run> runs;
+    double length_sum = 0.0;
+
+    std::uint32_t line_count() const { return static_cast<std::uint32_t>(vertices.size() / 4); }
+
+ private:
+    bool is_hidden(std::uint32_t id) const
+    {
+        return seams_ != nullptr && (is_among(seams_->hidden, id) || is_among(seams_->partly_hidden, id));
+    }
+    void add_line(const glm::vec3& a, const glm::vec3& b, LineClass line_class)
+    {
+        append_line(vertices, a, b, line_class);
+        length_sum += glm::distance(a, b);
+    }
+    void finish(LineMesh::Run run)
+    {
+        run.count = line_count() - run.first_line;
+        if (run.count > 0) runs.push_back(std::move(run));
+    }
+
+    const Surface& surface_;
+    const Seams* seams_;
+};
+
+}  // namespace
+
+LineIndices::LineIndices()
+{
+    reserve(kFirstCapacity);
+}
+
+void LineIndices::reserve(std::uint32_t line_count)
+{
+    if (line_count <= capacity_) return;
+    capacity_ = std::max(line_count, capacity_ * 2);
+    std::vector<std::uint32_t> quads;
+    std::vector<std::uint32_t> ends;
+    quads.reserve(std::size_t(capacity_) * 6);
+    ends.reserve(std::size_t(capacity_) * 2);
+    for (std::uint32_t line = 0; line < capacity_; ++line) {
+        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) quads.push_back(line * 4 + corner);
+        for (const std::uint32_t corner : {0u, 2u}) ends.push_back(line * 4 + corner);
+    }
+    quads_.stream(std::as_bytes(std::span(quads)));
+    ends_.stream(std::as_bytes(std::span(ends)));
+}
+
+LineBuffer make_line_buffer(const LineIndices& indices)
+{
+    LineBuffer buffer;
+    buffer.vertices.stream({});
+    const auto stream = [&](VertexInput input, int components, std::size_t offset) {
+        return VertexStream{.input = input,
+                            .buffer = &buffer.vertices,
+                            .components = components,
+                            .stride_bytes = sizeof(LineVertex),
+                            .offset_bytes = offset};
+    };
+    const std::array streams = {stream(VertexInput::position, 3, offsetof(LineVertex, position)),
+                                stream(VertexInput::other, 4, offsetof(LineVertex, other))};
+    buffer.as_quads = GpuVertexArray(streams, &indices.quads());
+    buffer.as_ends = GpuVertexArray(streams, &indices.ends());
+    return buffer;
+}
+
+void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class)
+{
+    const auto number = static_cast<float>(line_class);
+    vertices.insert(vertices.end(), {{a, b, number}, {a, b, number}, {b, a, number}, {b, a, number}});
+}
+
+LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, LineIndices& indices)
+{
+    const EdgeClasses classes = classes_at(surface, crease_rad);
+    RunBuilder builder(surface, seams);
+    builder.add(classes.borders, LineClass::border, EdgeGroup::border);
+    builder.add_kept_pieces();
+    builder.add(classes.artist[0], LineClass::artist, EdgeGroup::artist_convex);
+    builder.add(classes.artist[1], LineClass::artist, EdgeGroup::artist_reflex);
+    builder.add(classes.ridges[0], LineClass::ridge, EdgeGroup::artist_convex);
+    builder.add(classes.ridges[1], LineClass::ridge, EdgeGroup::convex);
+    builder.add(classes.valleys[0], LineClass::valley, EdgeGroup::artist_reflex);
+    builder.add(classes.valleys[1], LineClass::valley, EdgeGroup::reflex);
+    builder.add(classes.valleys[2], LineClass::valley, EdgeGroup::reflex_silent);
+
+    LineMesh mesh;
+    mesh.crease_rad = crease_rad;
+    mesh.mean_length = static_cast<float>(builder.length_sum / std::max(builder.line_count(), 1u));
+    indices.reserve(builder.line_count());
+    mesh.buffer = make_line_buffer(indices);
+    mesh.buffer.vertices.stream(std::as_bytes(std::span(builder.vertices)));
+    mesh.runs = std::move(builder.runs);
+    return mesh;
+}
+
+std::uint32_t run_length_at(const LineMesh::Run& run, const Surface& surface, float crease_rad)
+{
+    if (run.edge_ids.empty()) return run.count;
+    const EdgeClasses classes = classes_at(surface, crease_rad);
+    const EdgeRange drawn = run.group == EdgeGroup::convex   ? classes.ridges[1]
+                            : run.group == EdgeGroup::reflex ? classes.valleys[1]
+                                                             : classes.valleys[2];
+    const auto end = std::lower_bound(run.edge_ids.begin(), run.edge_ids.end(), drawn.end);
+    return static_cast<std::uint32_t>(end - run.edge_ids.begin());
+}
+
+}  // namespace hw

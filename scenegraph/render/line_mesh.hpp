@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/seams.hpp"
+#include "geometry/surface.hpp"
+#include "gl/gpu_buffer.hpp"
+#include "style/line_look.hpp"
+
+namespace hw {
+
+/// One corner of a line's quad: four make a line, its two ends twice (shaders/line_quad.vert).
+struct LineVertex {
+    glm::vec3 position;
+    glm::vec3 other;   ///< The other end.
+    float line_class;  ///< LineClass
+};
+
+/// Index buffers that all lines share: quads, and the same vertices as GL_LINES and GL_POINTS. They grow on demand,
+/// their ids stay.
+class LineIndices {
+ public:
+    LineIndices();
+    void reserve(std::uint32_t line_count);
+    const GpuBuffer& quads() const { return quads_; }
+    const GpuBuffer& ends() const { return ends_; }
+
+ private:
+    GpuBuffer quads_;
+    GpuBuffer ends_;
+    std::uint32_t capacity_ = 0;
+};
+
+/// Lines on the device, in runs of one class.
+struct LineBuffer {
+    GpuBuffer vertices;
+    GpuVertexArray as_quads;
+    GpuVertexArray as_ends;
+};
+
+LineBuffer make_line_buffer(const LineIndices& indices);
+
+void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class);
+
+/// The lines of one surface that are drawn from every viewpoint. Ridges and valleys stand by falling fold, so that a
+/// larger crease angle draws the beginning of their runs.
+struct LineMesh {
+    struct Run {
+        LineClass line_class;
+        std::uint32_t first_line;
+        std::uint32_t count;
+        EdgeGroup group;
+        std::vector<std::uint32_t> edge_ids;  ///< Rising; of runs that the crease angle cuts alone.
+    };
+    LineBuffer buffer;
+    std::vector<Run> runs;
+    float crease_rad = 0.0f;   ///< The smallest angle that it serves.
+    float mean_length = 0.0f;  ///< Of its lines, object space.
+};
+
+/// `seams` may be null; else its hidden edges are left out and its kept pieces become borders.
+LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, LineIndices& indices);
+
+/// How many lines of a run a crease angle draws.
+std::uint32_t run_length_at(const LineMesh::Run& run, const Surface& surface, float crease_rad);
+
+}  // namespace hw

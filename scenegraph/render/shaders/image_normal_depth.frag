@@ -1,0 +1,13 @@
+// The engine's image "normal_depth": unit normal towards the eye (world space), distance along the view in metres.
+#include "surface.glsl"
+
+void main()
+{
+    HwSurface surface = hw_surface();
+#ifdef HW_ALPHA_MASK
+    hw_material(surface);
+#endif
+    float depth_m = -(mat3(hw_view_from_world) * hw_v_position_relative).z;
+    vec3 normal = dot(surface.normal_world, surface.to_eye_world) < 0.0 ? -surface.normal_world : surface.normal_world;
+    hw_fragment = vec4(normal, depth_m);
+}

@@ -1,0 +1,28 @@
+// What both ways of drawing lines share: class, width and share of ink. Included by line_quad.vert and line_end.vert.
+#include "frame.glsl"
+#include "position.glsl"
+#include "presence.glsl"
+
+in vec3 hw_in_position;
+in vec4 hw_in_other;  // xyz the other end, w class
+
+uniform mat4 hw_relative_from_object;
+uniform float hw_line_width_px[6];  // device pixels, by class
+uniform vec3 hw_line_colour[6];     // linear
+uniform vec4 hw_line_fade;          // x mean length of the object's lines (metres), y none and z full spacing (px), w on
+uniform vec2 hw_line_taper;         // x strength, y from metres
+
+// Width in pixels at a point of the line: the presence and the far policy thin lines before they fade, so that the round
+// ends of neighbours never show as dots.
+float hw_line_width_at(int line_class, vec3 relative)
+{
+    float distance_m = length(relative);
+    float width = hw_line_width_px[line_class];
+    if (hw_line_taper.x > 0.0 && distance_m > hw_line_taper.y)
+        width *= mix(1.0, hw_line_taper.y / distance_m, hw_line_taper.x);
+    if (hw_line_fade.w > 0.5 && line_class != 0) {
+        float spacing_px = hw_line_fade.x * hw_focal_px / max(distance_m, 1e-20);
+        width *= smoothstep(hw_line_fade.y, hw_line_fade.z, spacing_px);
+    }
+    return width;
+}

@@ -1,0 +1,21 @@
+#include "frame.glsl"
+#include "presence.glsl"
+
+layout(location = 0) out vec4 hw_fragment;
+in float hw_v_height;
+in float hw_v_share;
+flat in vec4 hw_v_line_colour;
+
+void main()
+{
+    float coverage = hw_v_share;
+#ifdef HW_PRESENCE
+    coverage *= hw_presence_at(hw_v_height);
+#endif
+#ifdef HW_ROUND_POINT
+    float distance_px = length(gl_PointCoord - 0.5) * (hw_v_line_colour.w + 1.0);
+    coverage *= clamp(0.5 + 0.5 * hw_v_line_colour.w - distance_px, 0.0, 1.0);
+#endif
+    if (coverage <= 0.0) discard;
+    hw_fragment = vec4(hw_v_line_colour.rgb, coverage);
+}

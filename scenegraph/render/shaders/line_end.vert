@@ -1,0 +1,19 @@
+// Lines as GL_LINES, and as round GL_POINTS at their ends.
+// Source: Freudenberg, Masuch, Strothotte. Walk-Through Illustrations. Eurographics 2001, section 3.1.
+#include "line.glsl"
+
+out float hw_v_height;
+out float hw_v_share;  // of the full width: what the far policy leaves
+flat out vec4 hw_v_line_colour;  // w: diameter of the end in pixels
+
+void main()
+{
+    hw_set_position(hw_in_position);
+    int line_class = int(hw_in_other.w + 0.5);
+    float widest = hw_line_width_px[line_class];
+    vec3 relative = (hw_relative_from_object * vec4(hw_in_position, 1.0)).xyz;
+    hw_v_height = relative.y + hw_eye_world.y;
+    hw_v_share = widest > 0.0 ? hw_line_width_at(line_class, relative) / widest : 0.0;
+    hw_v_line_colour = vec4(hw_line_colour[line_class], widest);
+    gl_PointSize = widest + 1.0;
+}

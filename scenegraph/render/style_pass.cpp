@@ -1,0 +1,148 @@
+#include "render/style_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/log.hpp"
+
+namespace hw {
+namespace {
+
+constexpr PipelineState kFaceState{.offset_factor = kFaceOffsetFactor, .offset_units = kFaceOffsetUnits};
+
+TextureFormat texture_format(PixelFormat format)
+{
+    switch (format) {
+        case PixelFormat::r8:
+            return TextureFormat::r8;
+        case PixelFormat::rg8:
+            return TextureFormat::rg8;
+        case PixelFormat::rgba8:
+            return TextureFormat::rgba8;
+        case PixelFormat::rgba16f:
+            return TextureFormat::rgba16f;
+        case PixelFormat::r32f:
+            return TextureFormat::r32f;
+        case PixelFormat::rgba32f:
+            break;
+    }
+    return TextureFormat::rgba32f;
+}
+
+PipelineState picture_state(PassStage stage)
+{
+    PipelineState state = kFaceState;
+    if (stage == PassStage::over) {
+        state.depth_test = DepthTest::equal;
+        state.writes_depth = false;
+        state.blending = Blending::over;
+    }
+    if (stage == PassStage::blended) {
+        state.depth_test = DepthTest::less_equal;
+        state.writes_depth = false;
+        state.blending = Blending::over;
+    }
+    return state;
+}
+
+}  // namespace
+
+StylePass::StylePass(FrameParts& frame, PassStage stage, bool uses_shadow, const std::map<MapKind, int>& maps)
+    : frame_(frame), stage_(stage), uses_shadow_(uses_shadow), style_maps_(maps)
+{
+}
+
+Image StylePass::image(const ImageKey& key) const
+{
+    const auto found = frame_.images.find(key);
+    return found == frame_.images.end() ? Image() : found->second;
+}
+
+GpuTarget* StylePass::transient(const TargetDesc& target)
+{
+    const glm::vec2 size = glm::vec2(frame_.view->size_px) * std::clamp(target.scale, 0.01f, 4.0f);
+    const bool is_float = target.format >= PixelFormat::rgba16f;
+    try {
+        GpuTarget& made = frame_.pool->take({.size_px = glm::max(glm::ivec2(glm::ceil(size)), glm::ivec2(1)),
+                                             .colours = {texture_format(target.format)},
+                                             .has_depth = target.has_depth,
+                                             .filter = is_float ? FilterMode::nearest : FilterMode::linear});
+        ++frame_.transient_targets;
+        made.bind();
+        frame_.state->apply({});
+        made.clear(target.clear);
+        return &made;
+    } catch (const Error& error) {
+        log_error(error.what());
+        return nullptr;
+    }
+}
+
+Image StylePass::render(const TargetDesc& target, Program program, const Uniforms& uniforms,
+                        std::span<const DrawItem> items)
+{
+    GpuTarget* made = transient(target);
+    if (made == nullptr) return {};
+    PipelineState state = kFaceState;
+    if (!target.has_depth) state.depth_test = DepthTest::off;
+    draw_surfaces(program, uniforms, items, state, 0);
+    frame_.picture->bind();
+    return {made->colour().id(), made->desc().size_px};
+}
+
+Image StylePass::filter(const TargetDesc& target, Program program, const Uniforms& uniforms)
+{
+    const LinkedProgram* linked = frame_.programs->full_screen(program);
+    if (linked == nullptr) return {};
+    TargetDesc flat = target;
+    flat.has_depth = false;
+    GpuTarget* made = transient(flat);
+    if (made == nullptr) return {};
+    frame_.state->use(linked->gpu);
+    set_uniforms(linked->gpu, uniforms, *frame_.state);
+    frame_.state->apply({.depth_test = DepthTest::off, .writes_depth = false, .culling = Culling::off});
+    frame_.state->bind(*frame_.no_vertices);
+    frame_.state->draw(Primitive::triangles, 0, 3);
+    frame_.picture->bind();
+    return {made->colour().id(), made->desc().size_px};
+}
+
+void StylePass::surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items)
+{
+    if (stage_ == PassStage::images) return;
+    const SurfaceFeatures features = stage_ == PassStage::base ? 0 : surface_feature::kPresenceBlends;
+    draw_surfaces(program, uniforms, items, picture_state(stage_), features);
+}
+
+void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items,
+                              const PipelineState& state, SurfaceFeatures features)
+{
+    std::vector<SurfaceItem> surface_items;
+    std::vector<std::map<MapKind, int>> maps;
+    maps.reserve(items.size());
+    for (const DrawItem& item : items) {
+        const VisibleObject& object = frame_.visible->objects[item.slot];
+        maps.push_back((*frame_.looks)[object.object].maps);
+        maps.back().insert(style_maps_.begin(), style_maps_.end());
+        surface_items.push_back({&item, &object, &maps.back()});
+    }
+    const bool has_shadow = uses_shadow_ && frame_.shadow_texture != 0;
+    frame_.surfaces->draw({.program = program,
+                           .uniforms = &uniforms,
+                           .state = state,
+                           .features = features | frame_.scene_features | (has_shadow ? surface_feature::kShadow : 0),
+                           .time_s = frame_.view->time_s,
+                           .shadow_texture = has_shadow ? frame_.shadow_texture : 0},
+                          surface_items, frame_.visible->ranges);
+}
+
+void StylePass::lines(const LineLook& look, std::span<const DrawItem> items)
+{
+    if (stage_ == PassStage::images) return;
+    std::vector<LineItem> line_items;
+    for (const DrawItem& item : items) line_items.push_back({&item, &frame_.visible->objects[item.slot]});
+    frame_.lines->draw(frame_.line_frame, look, line_items, *frame_.edges);
+}
+
+}  // namespace hw

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "render/edge_store.hpp"
+#include "render/line_drawer.hpp"
+#include "render/shared_images.hpp"
+#include "render/surface_drawer.hpp"
+
+namespace hw {
+
+/// What one frame's passes share.
+struct FrameParts {
+    const View* view = nullptr;
+    const VisibleSet* visible = nullptr;
+    const std::vector<StyledObject>* looks = nullptr;
+    GpuTarget* picture = nullptr;
+    GpuState* state = nullptr;
+    ProgramStore* programs = nullptr;
+    TargetPool* pool = nullptr;
+    SurfaceDrawer* surfaces = nullptr;
+    LineDrawer* lines = nullptr;
+    EdgeStore* edges = nullptr;
+    LineFrame line_frame;
+    const GpuVertexArray* no_vertices = nullptr;
+    SurfaceFeatures scene_features = 0;  ///< Number of lights.
+    std::uint32_t shadow_texture = 0;
+    std::map<ImageKey, Image> images;
+    int transient_targets = 0;
+};
+
+/// In which part of the frame a style draws.
+enum class PassStage : std::uint8_t {
+    images,   ///< Nothing reaches the picture.
+    base,     ///< An object's first style: opaque faces cover.
+    over,     ///< Its second: faces at equal depth, mixed in by presence.
+    blended,  ///< Faces of glTF BLEND materials.
+};
+
+/// The host's side of Pass: one call of one style, or of one image pass.
+class StylePass final : public Pass {
+ public:
+    /// `maps` are those of the style's needs, for objects without maps of that kind.
+    StylePass(FrameParts& frame, PassStage stage, bool uses_shadow, const std::map<MapKind, int>& maps);
+
+    const View& view() const override { return *frame_.view; }
+    Image image(const ImageKey& key) const override;
+    Image render(const TargetDesc& target, Program program, const Uniforms& uniforms,
+                 std::span<const DrawItem> items) override;
+    Image filter(const TargetDesc& target, Program program, const Uniforms& uniforms) override;
+    void surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) override;
+    void lines(const LineLook& look, std::span<const DrawItem> items) override;
+
+ private:
+    GpuTarget* transient(const TargetDesc& target);
+    void draw_surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items,
+                       const PipelineState& state, SurfaceFeatures features);
+
+    FrameParts& frame_;
+    PassStage stage_;
+    bool uses_shadow_;
+    std::map<MapKind, int> style_maps_;
+};
+
+}  // namespace hw

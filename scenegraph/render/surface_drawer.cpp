@@ -1,0 +1,120 @@
+#include "render/surface_drawer.hpp"
+
+#include "render/presence_uniforms.hpp"
+
+namespace hw {
+namespace {
+
+SurfaceFeatures map_features(const std::map<MapKind, int>& maps)
+{
+    namespace f = surface_feature;
+    SurfaceFeatures features = 0;
+    for (const auto& [kind, index] : maps) {
+        if (index == kNone) continue;
+        if (kind == MapKind::hatch) features |= f::kHatchMap;
+        if (kind == MapKind::ink) features |= f::kInkMap;
+        if (kind == MapKind::tonal) features |= f::kTonalMap;
+    }
+    return features;
+}
+
+}  // namespace
+
+void set_uniforms(const GpuProgram& program, const Uniforms& uniforms, GpuState& state)
+{
+    for (const Uniforms::Entry& entry : uniforms.entries()) {
+        if (const auto* image = std::get_if<Image>(&entry.value)) {
+            state.bind_texture(program.unit(entry.name), image->id);
+            continue;
+        }
+        const int location = program.location(entry.name);
+        std::visit(
+            [&](const auto& value) {
+                if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, Image>) GpuProgram::set(location, value);
+            },
+            entry.value);
+    }
+}
+
+void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges)
+{
+    const LinkedProgram* last = nullptr;
+    const Material* last_material = nullptr;
+    for (const SurfaceItem& item : items) {
+        if (item.object->range_count == 0) continue;
+        const Material& material = *item.item->material;
+        const GpuMesh& mesh = scene_.mesh_of(item.object->object);
+        const GpuMaterial& gpu_material = scene_.material_of(item.object->object);
+        SurfaceFeatures features = run.features | mesh.features | gpu_material.features | map_features(*item.maps);
+        if (has_presence(*item.item)) features |= surface_feature::kPresence;
+        const LinkedProgram* program = programs_.surface(run.program, features);
+        if (program == nullptr) return;
+        state_.use(program->gpu);
+        if (program != last) {
+            if (run.uniforms != nullptr) set_uniforms(program->gpu, *run.uniforms, state_);
+            state_.bind_texture(program->at.unit_shadow, run.shadow_texture);
+            last = program;
+            last_material = nullptr;
+        }
+        PipelineState pipeline = run.state;
+        pipeline.is_front_clockwise = item.object->facing < 0.0f;
+        if (material.is_double_sided) pipeline.culling = Culling::off;
+        state_.apply(pipeline);
+        state_.bind(mesh.array);
+        set_object(*program, item, run.time_s);
+        GpuProgram::set(program->at.hatch_scale, glm::vec2(mesh.metres_per_uv, 1.0f) * item.object->scale);
+        if (&material != last_material) set_material(*program, *item.item, gpu_material);
+        last_material = &material;
+        set_maps(*program, item);
+        for (const IndexRange& range : ranges.subspan(item.object->first_range, item.object->range_count))
+            state_.draw_indexed(Primitive::triangles, range.first, range.count);
+    }
+}
+
+void SurfaceDrawer::set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s)
+{
+    const SurfaceLocations& at = program.at;
+    GpuProgram::set(at.clip_from_object, item.object->clip_from_object);
+    GpuProgram::set(at.relative_from_object, item.object->relative_from_object);
+    GpuProgram::set(at.normal_from_object, item.object->normal_from_object);
+    GpuProgram::set(at.facing, item.object->facing);
+    GpuProgram::set(at.certainty, item.item->certainty);
+    set_presence(at.presence_height, at.presence_inverted, *item.item, time_s);
+}
+
+void SurfaceDrawer::set_material(const LinkedProgram& program, const DrawItem& item, const GpuMaterial& gpu_material)
+{
+    const SurfaceLocations& at = program.at;
+    const Material& material = *item.material;
+    GpuProgram::set(at.base_colour_factor, material.base_colour);
+    GpuProgram::set(at.material_factors, glm::vec4(material.metallic, material.roughness, material.alpha_cutoff,
+                                                   material.occlusion_strength));
+    GpuProgram::set(at.emissive_normal, glm::vec4(material.emissive, material.normal_scale));
+    const auto map = [&](int unit, std::uint32_t texture, int uv, const TextureUse& use) {
+        if (unit < 0) return;
+        state_.bind_texture(unit, texture);
+        GpuProgram::set(uv, use.uv_transform);
+    };
+    map(at.unit_base_colour, gpu_material.base_colour, at.base_colour_uv, material.base_colour_texture);
+    map(at.unit_metallic_roughness, gpu_material.metallic_roughness, at.metallic_roughness_uv,
+        material.metallic_roughness_texture);
+    map(at.unit_normal, gpu_material.normal, at.normal_uv, material.normal_texture);
+    map(at.unit_occlusion, gpu_material.occlusion, at.occlusion_uv, material.occlusion_texture);
+    map(at.unit_emissive, gpu_material.emissive, at.emissive_uv, material.emissive_texture);
+}
+
+void SurfaceDrawer::set_maps(const LinkedProgram& program, const SurfaceItem& item)
+{
+    const auto set = [&](MapKind kind, int unit, int info) {
+        const auto found = item.maps->find(kind);
+        if (unit < 0 || found == item.maps->end() || found->second == kNone) return;
+        const GpuMap& map = scene_.map(found->second);
+        state_.bind_texture(unit, map.texture.id());
+        GpuProgram::set(info, map.info);
+    };
+    set(MapKind::hatch, program.at.unit_hatch, program.at.hatch_info);
+    set(MapKind::ink, program.at.unit_ink, program.at.ink_info);
+    set(MapKind::tonal, program.at.unit_tonal, program.at.tonal_info);
+}
+
+}  // namespace hw

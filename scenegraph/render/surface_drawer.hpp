@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+
+#include "gl/gpu_state.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/program_store.hpp"
+#include "render/renderer.hpp"
+#include "render/visible_set.hpp"
+#include "style/pass.hpp"
+
+namespace hw {
+
+/// An item whose faces are drawn, where its object stands, and its maps.
+struct SurfaceItem {
+    const DrawItem* item = nullptr;
+    const VisibleObject* object = nullptr;
+    const std::map<MapKind, int>* maps = nullptr;
+};
+
+/// What a run of items shares.
+struct SurfaceRun {
+    Program program;
+    const Uniforms* uniforms = nullptr;
+    PipelineState state;
+    SurfaceFeatures features = 0;  ///< Added to those of meshes, materials and maps.
+    double time_s = 0.0;
+    std::uint32_t shadow_texture = 0;
+};
+
+/// Draws objects' faces with programs made for surface.vert.
+class SurfaceDrawer {
+ public:
+    SurfaceDrawer(ProgramStore& programs, GpuState& state, GpuScene& scene)
+        : programs_(programs), state_(state), scene_(scene)
+    {
+    }
+
+    void draw(const SurfaceRun& run, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges);
+
+ private:
+    void set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s);
+    void set_material(const LinkedProgram& program, const DrawItem& item, const GpuMaterial& material);
+    void set_maps(const LinkedProgram& program, const SurfaceItem& item);
+
+    ProgramStore& programs_;
+    GpuState& state_;
+    GpuScene& scene_;
+};
+
+/// Gives a program a style's own uniforms and images. The program must be in use.
+void set_uniforms(const GpuProgram& program, const Uniforms& uniforms, GpuState& state);
+
+}  // namespace hw
