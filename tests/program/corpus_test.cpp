@@ -1,0 +1,50 @@
+// Files that strangers made. They lie beside the project, so the tests skip where they are absent.
+#include <gtest/gtest.h>
+
+#include "program/run_program.hpp"
+
+namespace {
+namespace fs = std::filesystem;
+using hw::test::kSharedData;
+using hw::test::ProgramResult;
+using hw::test::run_program;
+
+std::vector<fs::path> models_in(const fs::path& folder)
+{
+    std::vector<fs::path> files;
+    if (!fs::exists(folder)) return files;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string extension = entry.path().extension();
+        if (extension == ".gltf" || extension == ".glb") files.push_back(entry.path());
+    }
+    return files;
+}
+
+}  // namespace
+
+TEST(corpus, malformed_files_end_in_a_message_within_two_seconds)
+{
+    const std::vector<fs::path> files = models_in(kSharedData / "malformed" / "gltf_validator");
+    if (files.empty()) GTEST_SKIP() << "no malformed files beside the project";
+    const hw::test::TemporaryFolder folder;
+    for (const fs::path& file : files) {
+        const ProgramResult result = run_program(
+            {"render", file.string(), "--size", "32x32", "--samples", "1", "--out", folder / "a.png"}, 10.0);
+        EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 2) << file << ' ' << result.exit_code << '\n' << result.err;
+        EXPECT_LT(result.seconds, 2.0) << file;
+        if (result.exit_code == 2) EXPECT_NE(result.err.find("error"), std::string::npos) << file;
+    }
+}
+
+TEST(corpus, hard_meshes_open_in_every_style)
+{
+    const std::vector<fs::path> files = models_in(kSharedData / "hard");
+    if (files.empty()) GTEST_SKIP() << "no hard meshes beside the project";
+    const hw::test::TemporaryFolder folder;
+    for (const fs::path& file : files)
+        for (const char* style : {"*=photoreal", "*=pen_and_ink", "*=hybrid"}) {
+            const ProgramResult result = run_program(
+                {"render", file.string(), "--style", style, "--size", "64x48", "--out", folder / "a.png"}, 30.0);
+            EXPECT_EQ(result.exit_code, 0) << file << ' ' << style << '\n' << result.err;
+        }
+}

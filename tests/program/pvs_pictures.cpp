@@ -1,0 +1,75 @@
+#include "program/pvs_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "gl/context.hpp"
+#include "program/run_program.hpp"
+#include "render/camera_view.hpp"
+#include "walk/stage.hpp"
+
+namespace hw::test {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr glm::ivec2 kSize(320, 180);
+
+glm::dvec3 random_place(const Box& box, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    return box.min + glm::dvec3(share(random), share(random), share(random)) * box.size();
+}
+
+double unlike_share(const Pixels& a, const Pixels& b)
+{
+    std::size_t count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) count += !std::equal(a.at(x, y), a.at(x, y) + a.channels, b.at(x, y));
+    return static_cast<double>(count) / (static_cast<double>(a.width) * a.height);
+}
+
+}  // namespace
+
+PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, int eyes)
+{
+    const auto context = make_headless_context();
+    StageOptions options;
+    options.file = level;
+    options.style_overrides = {"*=" + style};
+    Stage stage(*context, options);
+
+    PvsDifference result{.eyes = eyes};
+    std::mt19937 random(20011);
+    const Box& bounds = stage.scene().bounds_world;
+    for (int i = 0; i < eyes; ++i) {
+        const CameraPlace camera{random_place(bounds, random), random_place(bounds, random), 60.0};
+        const View view = camera_view(camera, kSize, bounds);
+        const FrameStats with = stage.draw(view, {.samples = 1, .use_pvs = true});
+        const Pixels picture = stage.renderer().read_picture();
+        const FrameStats without = stage.draw(view, {.samples = 1, .use_pvs = false});
+        const double share = unlike_share(picture, stage.renderer().read_picture());
+        result.unlike_pictures += share > 0.0;
+        result.mean_visible += static_cast<double>(with.triangles) / (std::max<double>(without.triangles, 1.0) * eyes);
+        if (share > result.worst_share) {
+            result.worst_share = share;
+            result.worst_view = fmt::format("--eye {},{},{} --target {},{},{}", camera.eye_world.x, camera.eye_world.y,
+                                            camera.eye_world.z, camera.target_world.x, camera.target_world.y,
+                                            camera.target_world.z);
+        }
+    }
+    return result;
+}
+
+std::vector<fs::path> pvs_scenes()
+{
+    std::vector<fs::path> scenes{kContent / "levels" / "hall.level.json"};
+    if (fs::exists(kSharedData / "scenes"))
+        for (const auto& entry : fs::directory_iterator(kSharedData / "scenes"))
+            if (entry.path().extension() == ".glb") scenes.push_back(entry.path());
+    std::sort(scenes.begin() + 1, scenes.end());
+    return scenes;
+}
+
+}  // namespace hw::test

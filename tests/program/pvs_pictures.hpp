@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hw::test {
+
+/// How two pictures of the same view differ.
+struct PvsDifference {
+    int eyes = 0;
+    int unlike_pictures = 0;     ///< Eyes whose picture differs at all.
+    double worst_share = 0.0;    ///< Of the pixels, at the worst eye.
+    double mean_visible = 0.0;   ///< Triangles drawn with the PVS over those without.
+    std::string worst_view;
+};
+
+/// Draws a level from random eyes, with the PVS and without.
+PvsDifference compare_with_pvs(const std::filesystem::path& level, const std::string& style, int eyes);
+
+/// The scenes beside the project and the hall; those that exist.
+std::vector<std::filesystem::path> pvs_scenes();
+
+}  // namespace hw::test

@@ -1,0 +1,33 @@
+// Fifty random eyes in every scene: identical bytes in photoreal; in ink, lines are drawn a little over their faces and may
+// leak through a wall's edge, so under one pixel in ten thousand may differ.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "program/pvs_pictures.hpp"
+
+namespace {
+
+constexpr int kEyes = 50;
+constexpr double kLeakedShare = 1e-4;
+
+}  // namespace
+
+TEST(pvs_slow, switching_it_off_changes_no_pixel_in_photoreal)
+{
+    for (const auto& scene : hw::test::pvs_scenes()) {
+        const hw::test::PvsDifference difference = hw::test::compare_with_pvs(scene, "photoreal", kEyes);
+        std::cout << scene.filename() << " draws " << 100.0 * difference.mean_visible << " % of the triangles\n";
+        EXPECT_EQ(difference.unlike_pictures, 0) << scene << ' ' << difference.worst_view;
+    }
+}
+
+TEST(pvs_slow, switching_it_off_leaks_hardly_a_line_in_ink)
+{
+    for (const auto& scene : hw::test::pvs_scenes()) {
+        const hw::test::PvsDifference difference = hw::test::compare_with_pvs(scene, "pen_and_ink", kEyes);
+        std::cout << scene.filename() << ' ' << difference.unlike_pictures << " pictures differ, the worst in "
+                  << 100.0 * difference.worst_share << " % of its pixels\n";
+        EXPECT_LT(difference.worst_share, kLeakedShare) << scene << ' ' << difference.worst_view;
+    }
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hw::test {
+
+/// What a run of the program ended with.
+struct ProgramResult {
+    int exit_code = -1;  ///< 128 + the signal's number for a crash, 124 when it ran out of time.
+    std::string out;
+    std::string err;
+    double seconds = 0.0;
+};
+
+/// Runs the built program with these arguments. `environment` are NAME=VALUE settings; "NAME" alone unsets.
+ProgramResult run_program(const std::vector<std::string>& arguments, double limit_s = 60.0,
+                          const std::vector<std::string>& environment = {});
+
+/// A folder of its own for one test, removed at its end.
+class TemporaryFolder {
+ public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    /// Writes a text file and returns its name.
+    std::string write(const std::string& name, const std::string& text) const;
+    /// The names of what is in it, sorted.
+    std::vector<std::string> names() const;
+
+ private:
+    std::filesystem::path path_;
+};
+
+std::string bytes_of(const std::filesystem::path& file);
+
+inline const std::filesystem::path kContent = std::filesystem::path(HATCHWAY_SOURCE_DIR) / "content";
+inline const std::filesystem::path kSharedData = std::filesystem::path(HATCHWAY_SOURCE_DIR) / ".." / "shared" / "data";
+
+}  // namespace hw::test
