@@ -33,7 +33,10 @@ HalfEdgeMesh::HalfEdgeMesh(const Surface& surface) : mesh_(std::make_unique<Mesh
         if (tri.add_face(tri.vertex_handle(a), tri.vertex_handle(b), tri.vertex_handle(c)).is_valid()) continue;
         std::array<TriMesh::VertexHandle, 3> copies;
         const std::array<std::uint32_t, 3> corners{a, b, c};
-        for (int i = 0; i < 3; ++i) copies[i] = tri.add_vertex(tri.point(tri.vertex_handle(corners[i])));
+        for (int i = 0; i < 3; ++i) {
+            const TriMesh::Point point = tri.point(tri.vertex_handle(corners[i]));  // add_vertex moves the storage
+            copies[i] = tri.add_vertex(point);
+        }
         mesh_->duplicated += 3;
         HW_ASSERT(tri.add_face(copies[0], copies[1], copies[2]).is_valid());
     }
