@@ -28,7 +28,7 @@ struct SilhouetteArguments {
 struct SilhouetteResult {
     std::uint64_t faces = 0;
     std::uint64_t edges = 0;
-    std::uint64_t creases = 0;  ///< Folded edges and those that the artist marked: both are drawn from every viewpoint.
+    std::uint64_t creases = 0;  ///< Folded edges and those that the artist marked: both are always drawn.
     std::uint64_t candidates = 0;
     std::uint64_t silent = 0;
     std::uint64_t borders = 0;
@@ -54,7 +54,7 @@ void add_object(const Surface& surface, const glm::dmat4& world_from_object, con
     const EdgeClasses classes = classes_at(surface, crease_rad);
     result.faces += surface.faces.size();
     result.edges += surface.edges.size();
-    result.creases += classes.crease_count() + classes.artist.size();
+    result.creases += classes.crease_count();
     result.candidates += classes.candidate_count();
     result.silent += classes.silent.size();
     result.borders += classes.borders.size();
