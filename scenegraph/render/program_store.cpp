@@ -52,7 +52,7 @@ SurfaceLocations locations_of(const GpuProgram& program)
 std::string feature_defines(SurfaceFeatures features)
 {
     namespace f = surface_feature;
-    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 14> kFlags = {{
+    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 13> kFlags = {{
         {f::kUv0, "HW_HAS_UV0"},
         {f::kUv1, "HW_HAS_UV1"},
         {f::kTangents, "HW_HAS_TANGENTS"},
@@ -65,7 +65,6 @@ std::string feature_defines(SurfaceFeatures features)
         {f::kInkMap, "HW_INK_MAP"},
         {f::kTonalMap, "HW_TONAL_MAP"},
         {f::kPresence, "HW_PRESENCE"},
-        {f::kPresenceBlends, "HW_PRESENCE_BLENDS"},
         {f::kShadow, "HW_SHADOW"},
     }};
     static constexpr std::array<std::pair<int, const char*>, 5> kMaps = {{

@@ -30,8 +30,7 @@ inline constexpr SurfaceFeatures kHatchMap = 1u << 8;
 inline constexpr SurfaceFeatures kInkMap = 1u << 9;
 inline constexpr SurfaceFeatures kTonalMap = 1u << 10;
 inline constexpr SurfaceFeatures kPresence = 1u << 11;
-inline constexpr SurfaceFeatures kPresenceBlends = 1u << 12;
-inline constexpr SurfaceFeatures kShadow = 1u << 13;
+inline constexpr SurfaceFeatures kShadow = 1u << 12;
 /// Two bits each: 0 no map, 1 on uv0, 2 on uv1.
 inline constexpr int kBaseColourMapBit = 16;
 inline constexpr int kMetallicRoughnessMapBit = 18;

@@ -86,7 +86,7 @@ Image StylePass::render(const TargetDesc& target, Program program, const Uniform
     if (made == nullptr) return {};
     PipelineState state = kFaceState;
     if (!target.has_depth) state.depth_test = DepthTest::off;
-    draw_surfaces(program, uniforms, items, state, 0);
+    draw_surfaces(program, uniforms, items, state);
     frame_.picture->bind();
     return {made->colour().id(), made->desc().size_px};
 }
@@ -111,12 +111,11 @@ Image StylePass::filter(const TargetDesc& target, Program program, const Uniform
 void StylePass::surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items)
 {
     if (stage_ == PassStage::images) return;
-    const SurfaceFeatures features = stage_ == PassStage::base ? 0 : surface_feature::kPresenceBlends;
-    draw_surfaces(program, uniforms, items, picture_state(stage_), features);
+    draw_surfaces(program, uniforms, items, picture_state(stage_));
 }
 
 void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items,
-                              const PipelineState& state, SurfaceFeatures features)
+                              const PipelineState& state)
 {
     std::vector<SurfaceItem> surface_items;
     std::vector<std::map<MapKind, int>> maps;
@@ -131,7 +130,7 @@ void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::sp
     frame_.surfaces->draw({.program = program,
                            .uniforms = &uniforms,
                            .state = state,
-                           .features = features | frame_.scene_features | (has_shadow ? surface_feature::kShadow : 0),
+                           .features = frame_.scene_features | (has_shadow ? surface_feature::kShadow : 0),
                            .time_s = frame_.view->time_s,
                            .shadow_texture = has_shadow ? frame_.shadow_texture : 0},
                           surface_items, frame_.visible->ranges);

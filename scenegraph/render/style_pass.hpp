@@ -55,7 +55,7 @@ class StylePass final : public Pass {
  private:
     GpuTarget* transient(const TargetDesc& target);
     void draw_surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items,
-                       const PipelineState& state, SurfaceFeatures features);
+                       const PipelineState& state);
 
     FrameParts& frame_;
     PassStage stage_;

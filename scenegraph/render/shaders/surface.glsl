@@ -4,7 +4,7 @@
 //     {
 //         HwSurface surface = hw_surface();
 //         HwMaterial material = hw_material(surface);      // discards what an alpha mask cuts out
-//         hw_output(material.base_colour, material.alpha);
+//         hw_output(material.base_colour, material.alpha * hw_presence(surface));
 //     }
 //
 // The host compiles a program once for each combination of material features that the scene has, by defines:
@@ -13,7 +13,6 @@
 //   HW_ALPHA_MASK HW_ALPHA_BLEND HW_DOUBLE_SIDED HW_UNLIT          other features of the material
 //   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP                           the object has a map of that kind: hw_hatch_map ...
 //   HW_PRESENCE                                                    presence is not 1 everywhere
-//   HW_PRESENCE_BLENDS                                             hw_output() multiplies alpha by it
 //   HW_SHADOW                                                      the main light has a shadow map (shadow.glsl)
 //   HW_LIGHT_COUNT n                                               always: lights of the scene, 0 to 8
 #include "frame.glsl"
@@ -248,12 +247,6 @@ float hw_presence(HwSurface s)
 #endif
 }
 
-// The colour of this fragment, linear, 1 is paper white. The host turns alpha into blending: of blended materials, and of
-// a style that lies over another by its presence.
-void hw_output(vec3 colour_linear, float alpha)
-{
-#ifdef HW_PRESENCE_BLENDS
-    alpha *= hw_presence_at(hw_v_position_relative.y + hw_eye_world.y);
-#endif
-    hw_fragment = vec4(colour_linear, alpha);
-}
+// The colour of this fragment, linear, 1 is paper white. Multiply hw_presence() into alpha: the host mixes blended
+// materials, and a style that lies over another, by it.
+void hw_output(vec3 colour_linear, float alpha) { hw_fragment = vec4(colour_linear, alpha); }

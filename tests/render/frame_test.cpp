@@ -1,0 +1,258 @@
+#include <gmock/gmock.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/error.hpp"
+#include "test_scenes.hpp"
+
+namespace hw::test {
+namespace {
+
+constexpr glm::dmat4 kHere(1.0);
+
+glm::dmat4 at(double x, double y, double z)
+{
+    return glm::translate(kHere, glm::dvec3(x, y, z));
+}
+
+class frame : public RendererTest {};
+
+TEST_F(frame, a_box_on_a_floor_shows_where_it_should)
+{
+    add_object(scene_, floor_mesh(10.0f), kHere, painted({0.2f, 0.4f, 0.8f}));
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), at(0, 0.5, 0), painted({1.0f, 0.0f, 0.0f}));
+    TestStyle style(glm::vec3(1.0f));
+    load(style);
+    const Pixels pixels = draw(view_from({0, 1.5, 4}, {0, 0.5, 0}));
+    keep_picture(pixels, "frame_box");
+    EXPECT_EQ(pixels.at(160, 120)[0], 255);
+    EXPECT_EQ(pixels.at(160, 120)[1], 0);
+    EXPECT_NEAR(pixels.at(160, 230)[2], 230, 2) << "0.8 of linear light is sRGB 230";
+    EXPECT_EQ(pixels.at(160, 2)[1], 255) << "the background is paper";
+    EXPECT_EQ(stats_.objects_visible, 2);
+    EXPECT_EQ(stats_.triangles, 14u);
+}
+
+TEST_F(frame, flat_styles_build_no_product)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    TestStyle style(glm::vec3(0.5f));
+    load(style);
+    draw(view_from({0, 0, 4}, {0, 0, 0}));
+    EXPECT_EQ(stats_.adjacencies_built, 0);
+    EXPECT_EQ(stats_.edge_tables_built, 0);
+    EXPECT_EQ(stats_.silhouette_extractions, 0);
+    EXPECT_EQ(stats_.shadow_maps_drawn, 0);
+    EXPECT_EQ(stats_.images_made, 0);
+    EXPECT_EQ(stats_.lines, 0u);
+}
+
+TEST_F(frame, the_same_view_gives_the_same_bytes_whatever_was_drawn_before)
+{
+    add_object(scene_, sphere_mesh(1.0f, 16), kHere, painted({0.5f, 0.7f, 0.2f}));
+    add_object(scene_, floor_mesh(8.0f), at(0, -1, 0), painted(glm::vec3(0.9f)));
+    TestStyle style(glm::vec3(1.0f));
+    style.look = LineLook{};
+    load(style);
+    const View view = view_from({1, 2, 4}, {0, 0, 0});
+    for (const int samples : {1, 4}) {
+        const Pixels first = draw(view, {.samples = samples});
+        draw(view_from({-3, 1, 1}, {0, 0, 0}, {200, 100}), {.samples = 5 - samples});
+        draw(view_from({0, 5, 0.1}, {0, 0, 0}), {.samples = samples});
+        EXPECT_EQ(first.bytes, draw(view, {.samples = samples}).bytes);
+    }
+}
+
+TEST_F(frame, culling_by_chunks_does_not_change_a_pixel)
+{
+    MeshData sphere = sphere_mesh(2.0f, 40);
+    const MeshChunks chunks = split_into_chunks(sphere);
+    ASSERT_GT(chunks.size(), 4u);
+    add_object(scene_, sphere, kHere, painted({0.3f, 0.5f, 0.9f}));
+    TestStyle style(glm::vec3(1.0f));
+    load(style);
+    const View view = view_from({1.0, 0.5, 2.6}, {2.0, 0.0, 0.0});
+    const Pixels whole = draw(view);
+    const std::uint64_t whole_triangles = stats_.triangles;
+    const std::vector<MeshChunks> all{chunks};
+    input_.chunks = all;
+    load(style);
+    const Pixels culled = draw(view);
+    EXPECT_LT(stats_.triangles, whole_triangles);
+    EXPECT_EQ(whole.bytes, culled.bytes);
+}
+
+TEST_F(frame, two_styles_with_complementary_presence_make_their_mixture)
+{
+    add_object(scene_, box_mesh(glm::vec3(2.0f)), kHere, painted(glm::vec3(1.0f)));
+    TestStyle red({1.0f, 0.0f, 0.0f});
+    TestStyle blue({0.0f, 0.0f, 1.0f});
+    StyledObject look{.style = 0, .over = 1, .presence = {.constant = 0.25f}};
+    load({{"red", &red}, {"blue", &blue}}, {look});
+    const Pixels pixels = draw(view_from({0, 0, 4}, {0, 0, 0}));
+    EXPECT_NEAR(pixels.at(160, 120)[0], 225, 2) << "0.75 of linear light";
+    EXPECT_NEAR(pixels.at(160, 120)[2], 137, 2) << "0.25 of linear light";
+}
+
+TEST_F(frame, presence_rises_with_height)
+{
+    add_object(scene_, box_mesh({2.0f, 2.0f, 2.0f}), kHere, painted(glm::vec3(1.0f)));
+    TestStyle black(glm::vec3(0.0f));
+    TestStyle white(glm::vec3(1.0f));
+    StyledObject look{
+        .style = 0, .over = 1, .presence = {.constant = 1.0f, .has_height = true, .from_m = -0.8f, .to_m = 0.8f}};
+    load({{"black", &black}, {"white", &white}}, {look});
+    const Pixels pixels = draw(view_from({0, 0, 4}, {0, 0, 0}));
+    keep_picture(pixels, "frame_presence");
+    EXPECT_EQ(pixels.at(160, 182)[0], 0);
+    EXPECT_EQ(pixels.at(160, 58)[0], 255);
+    EXPECT_GT(pixels.at(160, 100)[0], pixels.at(160, 130)[0]);
+}
+
+TEST_F(frame, blended_faces_lie_over_opaque_ones_from_back_to_front)
+{
+    add_object(scene_, box_mesh({4.0f, 4.0f, 0.1f}), at(0, 0, -2), painted(glm::vec3(0.0f)));
+    Material glass = painted(glm::vec3(1.0f));
+    glass.alpha_mode = AlphaMode::blend;
+    glass.base_colour = {1.0f, 0.0f, 0.0f, 0.5f};
+    add_object(scene_, box_mesh({1.0f, 1.0f, 0.1f}), at(0, 0, 1), glass);
+    glass.base_colour = {0.0f, 1.0f, 0.0f, 0.5f};
+    add_object(scene_, box_mesh({1.0f, 1.0f, 0.1f}), at(0, 0, 0), glass);
+    TestStyle style(glm::vec3(1.0f));
+    load(style);
+    const Pixels pixels = draw(view_from({0, 0, 4}, {0, 0, 0}));
+    EXPECT_NEAR(pixels.at(160, 120)[0], 188, 1) << "red in front: half";
+    EXPECT_NEAR(pixels.at(160, 120)[1], 137, 1) << "green behind: a quarter";
+}
+
+TEST_F(frame, an_alpha_mask_cuts_faces_out)
+{
+    Material cut = painted(glm::vec3(0.0f));
+    cut.alpha_mode = AlphaMode::mask;
+    cut.base_colour.a = 0.4f;
+    add_object(scene_, box_mesh(glm::vec3(2.0f)), kHere, cut);
+    TestStyle style(glm::vec3(1.0f));
+    load(style);
+    EXPECT_EQ(count_dark(draw(view_from({0, 0, 4}, {0, 0, 0}))), 0);
+}
+
+TEST_F(frame, a_mirrored_object_shows_its_outside)
+{
+    const glm::dmat4 mirrored = glm::scale(kHere, glm::dvec3(-1.0, 1.0, 1.0));
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), mirrored, painted({1.0f, 0.0f, 0.0f}));
+    TestStyle style(glm::vec3(1.0f));
+    style.shows_images = true;
+    load(style);
+    const Pixels pixels = draw(view_from({0, 0, 4}, {0, 0, 0}));
+    EXPECT_EQ(pixels.at(160, 120)[2], 255) << "the normal looks at the eye";
+    EXPECT_NEAR(pixels.at(160, 120)[0], 188, 2);
+}
+
+TEST_F(frame, a_scene_far_from_the_origin_looks_as_one_at_it)
+{
+    TestStyle style(glm::vec3(1.0f));
+    style.look = LineLook{};
+    add_object(scene_, sphere_mesh(1.0f, 12), kHere, painted({0.2f, 0.6f, 0.4f}));
+    load(style);
+    const Pixels near_origin = draw(view_from({1, 1, 4}, {0, 0, 0}));
+    scene_ = {};
+    const glm::dvec3 offset(1e6, -2e6, 5e5);
+    add_object(scene_, sphere_mesh(1.0f, 12), glm::translate(kHere, offset), painted({0.2f, 0.6f, 0.4f}));
+    load(style);
+    const Pixels far_away = draw(view_from(offset + glm::dvec3(1, 1, 4), offset));
+    EXPECT_LT(count_unlike(near_origin, far_away, 3), 40);
+}
+
+TEST_F(frame, the_shadow_map_is_drawn_once_and_shades_what_the_light_does_not_reach)
+{
+    add_object(scene_, floor_mesh(10.0f), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, box_mesh({1.0f, 0.2f, 1.0f}), at(0, 2, 0), painted(glm::vec3(1.0f)));
+    Light sun;
+    sun.type = LightType::sun;
+    sun.direction_world = {0, -1, 0};
+    input_.lights = {sun};
+    TestStyle style(glm::vec3(1.0f));
+    style.shadow = ShadowNeed::main_light;
+    style.fragment_file = "test_shadow.frag";
+    load(style);
+    const View view = view_from({0, 1.2, 5}, {0, 0, 0});
+    const Pixels pixels = draw(view);
+    keep_picture(pixels, "frame_shadow");
+    EXPECT_EQ(pixels.at(160, 120)[0], 0) << "below the box";
+    EXPECT_EQ(pixels.at(40, 160)[0], 255) << "beside it";
+    draw(view_from({0, 3, 5}, {0, 0, 0}));
+    EXPECT_EQ(stats_.shadow_maps_drawn, 1);
+}
+
+TEST_F(frame, a_tilted_sun_leaves_lit_faces_without_acne)
+{
+    add_object(scene_, floor_mesh(10.0f), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, sphere_mesh(0.8f, 24), at(0, 0.8, 0), painted(glm::vec3(1.0f)));
+    Light sun;
+    sun.type = LightType::sun;
+    sun.direction_world = glm::normalize(glm::dvec3(-0.9, -0.5, -0.2));
+    input_.lights = {sun};
+    TestStyle style(glm::vec3(1.0f));
+    style.shadow = ShadowNeed::main_light;
+    style.fragment_file = "test_shadow.frag";
+    load(style);
+    const Pixels pixels = draw(view_from({3, 2.5, 5}, {0, 0, 0}));
+    keep_picture(pixels, "frame_tilted_sun");
+    int gray = 0;
+    for (int y = 150; y < 235; ++y)
+        for (int x = 180; x < 300; ++x) gray += pixels.at(x, y)[0] < 250 ? 1 : 0;
+    EXPECT_EQ(gray, 0) << "the open floor on the light's side";
+}
+
+TEST_F(frame, an_image_is_made_once_for_all_styles_that_ask)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), at(2, 0, 0), painted(glm::vec3(1.0f)));
+    TestStyle first(glm::vec3(1.0f));
+    TestStyle second(glm::vec3(1.0f));
+    first.shows_images = second.shows_images = true;
+    StyledObject a{.style = 0};
+    StyledObject b{.style = 1};
+    load({{"first", &first}, {"second", &second}}, {a, b});
+    draw(view_from({0, 0, 6}, {0, 0, 0}));
+    EXPECT_EQ(stats_.images_made, 1);
+    draw(view_from({0, 0, 6}, {0, 0, 12}));
+    EXPECT_EQ(stats_.images_made, 0) << "nobody who asks is visible";
+}
+
+TEST_F(frame, an_image_pass_that_nobody_makes_is_an_error_of_the_input)
+{
+    class Asking final : public Style {
+        Needs needs() const override { return {.images = {{"unheard_of", {}}}}; }
+        void prepare(ProgramCache&) override {}
+    } style;
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    EXPECT_THROW(load(style), Error);
+}
+
+TEST_F(frame, words_and_a_cross_hair_lie_over_the_picture)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    TestStyle style(glm::vec3(0.2f, 0.5f, 0.7f));
+    load(style);
+    const View view = view_from({0, 0, 4}, {0, 0, 0});
+    FrameOptions options;
+    const Pixels bare = draw(view, options);
+    options.overlay.has_cross_hair = true;
+    options.overlay.texts.push_back({.text = "Esc releases the mouse\n12.5 ms, {x} [y] 100%"});
+    options.overlay.texts.push_back({.position_px = {-8, -8}, .text = "gjpqy @ QWERTY"});
+    const Pixels pixels = draw(view, options);
+    keep_picture(pixels, "frame_overlay");
+    EXPECT_GT(count_unlike(bare, pixels), 3000);
+    EXPECT_EQ(pixels.at(300, 20)[0], bare.at(300, 20)[0]);
+}
+
+TEST_F(frame, a_view_without_objects_is_paper)
+{
+    TestStyle style(glm::vec3(1.0f));
+    load(style);
+    EXPECT_EQ(count_dark(draw(view_from({0, 0, 4}, {0, 0, 0})), 255), 0);
+}
+
+}  // namespace
+}  // namespace hw::test

@@ -1,0 +1,222 @@
+#include <gmock/gmock.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "test_scenes.hpp"
+
+namespace hw::test {
+namespace {
+
+constexpr glm::dmat4 kHere(1.0);
+
+glm::dmat4 at(double x, double y, double z)
+{
+    return glm::translate(kHere, glm::dvec3(x, y, z));
+}
+
+LineLook look_of_width(float width_px)
+{
+    LineLook look;
+    look.width_px.fill(width_px);
+    look.far.is_on = false;
+    return look;
+}
+
+class lines : public RendererTest {
+ protected:
+    lines() { style_.look = look_of_width(2.0f); }
+    Pixels draw_with(LinePath path, const View& view, int samples = 4)
+    {
+        return draw(view, {.samples = samples, .line_path = path});
+    }
+    TestStyle style_{glm::vec3(1.0f)};
+};
+
+/// Ink of the picture, in pixels of full black: paper is white, colours are linear.
+double ink(const Pixels& pixels)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pixels.bytes.size(); i += 3) {
+        const double c = pixels.bytes[i] / 255.0;
+        sum += 1.0 - (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+TEST_F(lines, of_a_box_seen_from_a_corner_are_its_nine_visible_edges)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    load(style_);
+    const View view = view_from({1.6, 1.4, 2.0}, {0, 0, 0});
+    double length_px = 0.0;
+    const glm::mat4 clip = view.clip_from_view * view.view_from_world;
+    const auto screen = [&](glm::vec3 p) {
+        const glm::vec4 q = clip * glm::vec4(p, 1.0f);
+        return glm::vec2(q) / q.w * 0.5f * glm::vec2(view.size_px);
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        for (int corner = 0; corner < 4; ++corner) {
+            glm::vec3 a(0.0f);
+            a[axis] = -0.5f;
+            a[(axis + 1) % 3] = corner & 1 ? 0.5f : -0.5f;
+            a[(axis + 2) % 3] = corner & 2 ? 0.5f : -0.5f;
+            glm::vec3 b = a;
+            b[axis] = 0.5f;
+            if (corner != 0) length_px += glm::distance(screen(a), screen(b));
+        }
+    for (const LinePath path : {LinePath::quads, LinePath::native}) {
+        const Pixels pixels = draw_with(path, view);
+        keep_picture(pixels, path == LinePath::quads ? "lines_box_quads" : "lines_box_native");
+        EXPECT_NEAR(ink(pixels) / (2.0 * length_px), 1.0, 0.08);
+        EXPECT_EQ(stats_.silhouette_extractions, 0) << "a box has no smooth edge";
+    }
+}
+
+TEST_F(lines, both_ways_of_drawing_agree)
+{
+    add_object(scene_, sphere_mesh(1.0f, 20), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, box_mesh({3.0f, 0.2f, 3.0f}), at(0, -1.1, 0), painted(glm::vec3(1.0f)));
+    load(style_);
+    const View view = view_from({1.5, 1.0, 3.5}, {0, 0, 0});
+    const Pixels quads = draw_with(LinePath::quads, view);
+    const Pixels native = draw_with(LinePath::native, view);
+    keep_picture(quads, "lines_scene_quads");
+    keep_picture(native, "lines_scene_native");
+    EXPECT_NEAR(ink(quads) / ink(native), 1.0, 0.08);
+    EXPECT_LT(count_unlike(quads, native, 128), 320 * 240 / 100);
+}
+
+TEST_F(lines, of_a_sphere_are_its_silhouette_alone)
+{
+    add_object(scene_, sphere_mesh(1.0f, 32), kHere, painted(glm::vec3(1.0f)));
+    load(style_);
+    const Pixels pixels = draw_with(LinePath::quads, view_from({0, 0, 4}, {0, 0, 0}));
+    keep_picture(pixels, "lines_sphere");
+    EXPECT_EQ(stats_.silhouette_extractions, 1);
+    EXPECT_GT(stats_.silhouette_edges, 30u);
+    for (int x = 120; x < 200; x += 10) EXPECT_EQ(pixels.at(x, 120)[0], 255) << "no line inside";
+}
+
+TEST_F(lines, behind_a_nearer_face_are_hidden)
+{
+    add_object(scene_, box_mesh(glm::vec3(0.5f)), at(0, 0, -1), painted(glm::vec3(1.0f)));
+    add_object(scene_, box_mesh({4.0f, 4.0f, 0.1f}), at(0, 0, 0), painted(glm::vec3(1.0f)));
+    load(style_);
+    const Pixels pixels = draw_with(LinePath::quads, view_from({0, 0, 3}, {0, 0, 0}));
+    for (int y = 60; y < 180; ++y)
+        for (int x = 80; x < 240; ++x) ASSERT_EQ(pixels.at(x, y)[0], 255) << x << ' ' << y;
+}
+
+TEST_F(lines, a_sheet_of_paper_on_a_desk_keeps_its_outline_and_hides_the_desk)
+{
+    add_object(scene_, box_mesh({2.0f, 0.05f, 1.0f}), kHere, painted(glm::vec3(0.6f)));
+    MeshData paper = floor_mesh(0.3f);
+    add_object(scene_, paper, at(0, 0.025 + 0.0005, 0), painted(glm::vec3(1.0f)));
+    load(style_);
+    const Pixels pixels = draw_with(LinePath::quads, view_from({0.0, 0.6, 0.9}, {0, 0, 0}, {640, 480}));
+    keep_picture(pixels, "lines_paper_on_desk");
+    EXPECT_EQ(pixels.at(320, 240)[0], 255) << "the paper covers the desk";
+    EXPECT_GT(count_dark(pixels), 900);
+}
+
+TEST_F(lines, crossing_the_near_plane_run_on_to_the_edge_of_the_picture)
+{
+    add_object(scene_, box_mesh({0.4f, 0.4f, 40.0f}), at(0, -0.6, 0), painted(glm::vec3(1.0f)));
+    load(style_);
+    const View view = view_from({0, 0, 0}, {0, -0.05, -5});
+    for (const LinePath path : {LinePath::quads, LinePath::native}) {
+        const Pixels pixels = draw_with(path, view);
+        keep_picture(pixels, path == LinePath::quads ? "lines_near_quads" : "lines_near_native");
+        int dark_at_the_bottom = 0;
+        for (int x = 0; x < 320; ++x) dark_at_the_bottom += pixels.at(x, 238)[0] < 200 ? 1 : 0;
+        EXPECT_GE(dark_at_the_bottom, 4) << "two lines leave at the bottom";
+        EXPECT_LE(dark_at_the_bottom, 14);
+    }
+}
+
+TEST_F(lines, far_objects_do_not_turn_black)
+{
+    MeshData comb = box_mesh({0.02f, 1.0f, 0.02f});
+    const MeshData tooth = comb;
+    for (int i = 1; i < 60; ++i) {
+        const auto first = static_cast<std::uint32_t>(comb.positions.size());
+        for (const glm::vec3& p : tooth.positions) comb.positions.push_back(p + glm::vec3(0.04f * i, 0.0f, 0.0f));
+        comb.normals.insert(comb.normals.end(), tooth.normals.begin(), tooth.normals.end());
+        for (const std::uint32_t index : tooth.indices) comb.indices.push_back(first + index);
+    }
+    add_object(scene_, comb, kHere, painted(glm::vec3(1.0f)));
+    load(style_);
+    const View view = view_from({1.2, 0.3, 60.0}, {1.2, 0, 0});
+    const double crowded = ink(draw_with(LinePath::quads, view));
+    style_.look->far = {.is_on = true, .full_spacing_px = 12.0f, .none_spacing_px = 2.0f};
+    load(style_);
+    EXPECT_LT(ink(draw_with(LinePath::quads, view)), 0.6 * crowded);
+    const View close = view_from({1.2, 0.3, 1.5}, {1.2, 0, 0});
+    const double full = ink(draw_with(LinePath::quads, close));
+    style_.look->far.is_on = false;
+    load(style_);
+    EXPECT_NEAR(full / ink(draw_with(LinePath::quads, close)), 1.0, 0.02) << "near ones are drawn in full";
+}
+
+TEST_F(lines, presence_thins_them)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    TestStyle without_lines(glm::vec3(1.0f));
+    const View view = view_from({1.6, 1.4, 2.0}, {0, 0, 0});
+    load(style_);
+    const double full = ink(draw_with(LinePath::quads, view));
+    StyledObject look{.style = 0, .over = 1, .presence = {.constant = 0.75f}};
+    load({{"ink", &style_}, {"plain", &without_lines}}, {look});
+    EXPECT_NEAR(ink(draw_with(LinePath::quads, view)) / full, 0.25, 0.06) << "the base keeps what the other leaves";
+    std::swap(look.style, look.over);
+    load({{"ink", &style_}, {"plain", &without_lines}}, {look});
+    EXPECT_NEAR(ink(draw_with(LinePath::quads, view)) / full, 0.75, 0.06);
+    EXPECT_NEAR(ink(draw_with(LinePath::native, view)) / full, 0.75, 0.10);
+}
+
+TEST_F(lines, a_taper_thins_the_far_ones)
+{
+    for (const double z : {-2.0, -40.0})
+        add_object(scene_, box_mesh(glm::vec3(1.0f)), at(0, 0, z), painted(glm::vec3(1.0f)));
+    style_.look->depth_taper = 1.0f;
+    style_.look->taper_from_m = 5.0f;
+    load(style_);
+    draw(view_from({0, 2, 3}, {0, 0, -10}), {.samples = 4});
+    EXPECT_GT(stats_.lines + stats_.triangles, 0u);
+    EXPECT_EQ(stats_.lines, 0u) << "a taper needs quads";
+}
+
+TEST_F(lines, a_larger_crease_angle_draws_fewer)
+{
+    add_object(scene_, sphere_mesh(1.0f, 6), kHere, painted(glm::vec3(1.0f)));
+    style_.look->crease_rad = 0.1f;
+    load(style_);
+    const View view = view_from({0, 1, 4}, {0, 0, 0});
+    const double many = ink(draw_with(LinePath::quads, view));
+    style_.look->crease_rad = 1.5f;
+    load(style_);
+    EXPECT_LT(ink(draw_with(LinePath::quads, view)), 0.7 * many);
+}
+
+TEST_F(lines, adjacency_is_built_once_for_instances_and_for_ink_alone)
+{
+    const ObjectId first = add_object(scene_, sphere_mesh(1.0f, 8), kHere, painted(glm::vec3(1.0f)));
+    Object twin = scene_.objects[first];
+    Node node;
+    node.world_from_node = at(3, 0, 0);
+    twin.node = 1;
+    scene_.nodes.push_back(node);
+    scene_.objects.push_back(twin);
+    add_object(scene_, sphere_mesh(1.0f, 8), at(-3, 0, 0), painted(glm::vec3(1.0f)));
+    TestStyle photoreal(glm::vec3(0.5f));
+    const StyledObject inked{.style = 0};
+    const StyledObject plain{.style = 1};
+    load({{"ink", &style_}, {"plain", &photoreal}}, {inked, inked, plain});
+    draw(view_from({0, 0, 8}, {0, 0, 0}));
+    EXPECT_EQ(stats_.adjacencies_built, 1);
+    EXPECT_EQ(stats_.edge_tables_built, 1);
+    EXPECT_EQ(stats_.silhouette_extractions, 2);
+}
+
+}  // namespace
+}  // namespace hw::test
