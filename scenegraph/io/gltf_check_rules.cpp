@@ -56,6 +56,7 @@ class RuleChecker {
                 break;
             case RuleKind::reals:
             case RuleKind::references:
+            case RuleKind::named_references_list:
             case RuleKind::objects:
                 check_array(value, pointer, rule);
                 break;

@@ -8,10 +8,9 @@
 namespace hw {
 
 /// Reads a level file (.json, comments allowed), or a bare model (.glb, .gltf), which gives a level with defaults. The
-/// model itself is not opened. Throws hw::Error with file, JSON pointer, what was found and what is allowed for: text
-/// that is no JSON, an unknown or repeated key, a wrong type, a value out of range, a style that does not exist where
-/// the level itself names one ("over", "certainty_styles"), a path that leaves the project. Styles named by "assign"
-/// may also be plugins, and parameters belong to plugins: who loads those checks them.
+/// model itself is not opened. Throws hw::Error with file, JSON pointer, what was found and what is allowed for text
+/// that is no JSON, an unknown, repeated or missing key, a wrong type, a value out of range, a path that leaves the
+/// project. Styles and their parameters belong to plugins, maps to files: who loads those checks them.
 Level read_level(const std::filesystem::path& file);
 
 /// The same from text, as if it stood in `file`.
