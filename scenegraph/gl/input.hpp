@@ -29,6 +29,7 @@ struct KeyEvent {
     bool with_shift = false;
     bool with_control = false;
     bool with_alt = false;
+    char letter = '\0';  ///< 'a' to 'z' as the user's layout prints it on this key; 0 on other keys. For Ctrl+Z.
 };
 
 struct MouseEvent {

@@ -66,6 +66,13 @@ Key key_of(int constant)
     return found == keys.end() ? Key::unknown : found->second;
 }
 
+char letter_of(int constant, int scancode)
+{
+    const char* name = glfwGetKeyName(constant, scancode);
+    const bool is_letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
+    return is_letter ? name[0] : '\0';
+}
+
 [[noreturn]] void throw_glfw_error(const std::string& doing)
 {
     const char* reason = nullptr;
@@ -165,8 +172,8 @@ class GlfwWindow final : public Window {
     void listen()
     {
         last_cursor_ = cursor_px();
-        glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
-            self(window).key(key_of(key), action, modifiers);
+        glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+            self(window).key(key_of(key), letter_of(key, scancode), action, modifiers);
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
             GlfwWindow& me = self(window);
@@ -191,7 +198,7 @@ class GlfwWindow final : public Window {
         });
     }
 
-    void key(Key key, int action, int modifiers)
+    void key(Key key, char letter, int action, int modifiers)
     {
         are_down_[static_cast<int>(key)] = action != GLFW_RELEASE;
         events_.keys.push_back({.key = key,
@@ -199,7 +206,8 @@ class GlfwWindow final : public Window {
                                 .is_repeat = action == GLFW_REPEAT,
                                 .with_shift = (modifiers & GLFW_MOD_SHIFT) != 0,
                                 .with_control = (modifiers & GLFW_MOD_CONTROL) != 0,
-                                .with_alt = (modifiers & GLFW_MOD_ALT) != 0});
+                                .with_alt = (modifiers & GLFW_MOD_ALT) != 0,
+                                .letter = letter});
     }
 
     GlfwLibrary library_;

@@ -17,16 +17,17 @@ std::optional<int> digit_of(Key key)
     return static_cast<int>(key) - static_cast<int>(Key::digit_0);
 }
 
+/// By the printed letter, as everywhere else on the user's desktop: on a German keyboard Z lies where Y does on others.
 std::optional<CommandCall> control_command(const KeyEvent& event)
 {
-    switch (event.key) {
-        case Key::s:
+    switch (event.letter) {
+        case 's':
             return CommandCall{Command::save_level};
-        case Key::z:
+        case 'z':
             return CommandCall{event.with_shift ? Command::redo : Command::undo};
-        case Key::y:
+        case 'y':
             return CommandCall{Command::redo};
-        case Key::q:
+        case 'q':
             return CommandCall{Command::quit};
         default:
             return std::nullopt;

@@ -18,9 +18,11 @@ hw::KeyEvent down(Key key)
     return {.key = key, .is_down = true};
 }
 
+/// Ctrl and a letter of a US keyboard.
 hw::KeyEvent with_control(Key key)
 {
-    return {.key = key, .is_down = true, .with_control = true};
+    const auto letter = static_cast<char>('a' + static_cast<int>(key) - static_cast<int>(Key::a));
+    return {.key = key, .is_down = true, .with_control = true, .letter = letter};
 }
 
 hw::KeyEvent up(Key key)
@@ -148,8 +150,18 @@ TEST(controls, undo_and_redo_have_their_usual_keys)
 {
     EXPECT_EQ(commands({}, with_control(Key::z)), (std::vector<CommandCall>{{Command::undo}}));
     EXPECT_EQ(commands({}, with_control(Key::y)), (std::vector<CommandCall>{{Command::redo}}));
-    EXPECT_EQ(commands({}, {.key = Key::z, .is_down = true, .with_shift = true, .with_control = true}),
-              (std::vector<CommandCall>{{Command::redo}}));
+    hw::KeyEvent with_shift = with_control(Key::z);
+    with_shift.with_shift = true;
+    EXPECT_EQ(commands({}, with_shift), (std::vector<CommandCall>{{Command::redo}}));
+}
+
+TEST(controls, shortcuts_follow_the_printed_letter_and_walking_the_place_of_the_key)
+{
+    hw::KeyEvent german_z = with_control(Key::y);
+    german_z.letter = 'z';
+    EXPECT_EQ(commands({}, german_z), (std::vector<CommandCall>{{Command::undo}}));
+    const hw::KeyEvent french_z{.key = Key::w, .is_down = true, .letter = 'z'};
+    EXPECT_EQ(hw::controls_after({}, pressing({french_z})).player.forward, 1.0);
 }
 
 TEST(controls, a_key_that_repeats_calls_its_command_once)

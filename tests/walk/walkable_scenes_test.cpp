@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(scenes, WalkableScene,
                          testing::Values(Place{"content/models/hall.glb", {0, 1.7, 9.6}},
                                          Place{"../shared/data/scenes/dungeon_kaykit_9x7.glb", {16, 2, 12}},
                                          Place{"../shared/data/scenes/oa_oa_dm1.glb", {7, 0, -34}}),
-                         [](const testing::TestParamInfo<Place>& info) {
-                             std::string name = fs::path(info.param.file).stem().string();
+                         [](const testing::TestParamInfo<Place>& scene) {
+                             std::string name = fs::path(scene.param.file).stem().string();
                              return name;
                          });
