@@ -11,7 +11,7 @@ namespace hw::measure {
 namespace {
 
 constexpr int kRaysPerPlace = 64;
-constexpr std::uint64_t kEnoughRays = 2000;  // for a leaf's sampled truth
+constexpr std::uint64_t kEnoughRays = 2000;  // for a cluster's sampled truth
 
 class Dice {
  public:
@@ -42,8 +42,8 @@ class Dice {
     std::mt19937_64 engine_;
 };
 
-/// What the rays of one leaf have met.
-struct LeafTruth {
+/// What the rays of one cluster have met.
+struct ClusterTruth {
     std::uint64_t rays = 0;
     std::vector<std::uint8_t> met;  ///< By slot.
 };
@@ -58,34 +58,26 @@ double share_of(const std::vector<std::uint8_t>& slots, const std::vector<double
     return total > 0.0 ? seen / total : 1.0;
 }
 
-bool is_row_full(const LeafRows& rows, int leaf)
-{
-    for (int other = 0; other < rows.leaf_count(); ++other) {
-        if (!rows.sees(leaf, other)) return false;
-    }
-    return true;
-}
-
-void compare_shares(const Visibility& visibility, const std::vector<LeafTruth>& truths,
+void compare_shares(const Visibility& visibility, const std::vector<ClusterTruth>& truths,
                     const std::vector<double>& triangles_of_slot, PvsRayResult& result)
 {
-    for (std::size_t leaf = 0; leaf < truths.size(); ++leaf) {
-        if (truths[leaf].rays < kEnoughRays) continue;
+    for (std::size_t cluster = 0; cluster < truths.size(); ++cluster) {
+        if (truths[cluster].rays < kEnoughRays) continue;
         std::vector<std::uint8_t> row(triangles_of_slot.size());
-        for (int other = 0; other < visibility.tree.leaf_count; ++other) {
-            if (!visibility.rows.sees(static_cast<int>(leaf), other)) continue;
+        for (int other = 0; other < visibility.tree.cluster_count; ++other) {
+            if (!visibility.rows.sees(static_cast<int>(cluster), other)) continue;
             const std::size_t index = static_cast<std::size_t>(other);
-            for (auto i = visibility.first_in_leaf[index]; i < visibility.first_in_leaf[index + 1]; ++i) {
-                row[visibility.slots_of_leaf[i]] = 1;
+            for (auto i = visibility.first_in_cluster[index]; i < visibility.first_in_cluster[index + 1]; ++i) {
+                row[visibility.slots_of_cluster[i]] = 1;
             }
         }
-        ++result.leaves;
+        ++result.clusters;
         result.row_share += share_of(row, triangles_of_slot);
-        result.sampled_share += share_of(truths[leaf].met, triangles_of_slot);
+        result.sampled_share += share_of(truths[cluster].met, triangles_of_slot);
     }
-    if (result.leaves == 0) return;
-    result.row_share /= result.leaves;
-    result.sampled_share /= result.leaves;
+    if (result.clusters == 0) return;
+    result.row_share /= result.clusters;
+    result.sampled_share /= result.clusters;
 }
 
 }  // namespace
@@ -100,8 +92,7 @@ PvsRayResult measure_pvs(const Scene& scene, std::span<const MeshChunks> chunks_
     for (const SightTriangle& triangle : triangles) triangles_of_slot[triangle.slot] += 1.0;
     const SightRays rays(triangles);
     Dice dice(options.seed);
-    std::vector<LeafTruth> truths(static_cast<std::size_t>(visibility.tree.leaf_count));
-    std::vector<signed char> is_full(truths.size(), -1);
+    std::vector<ClusterTruth> truths(static_cast<std::size_t>(visibility.tree.cluster_count));
     std::vector<std::uint8_t> is_visible;
     std::vector<std::uint32_t> met;
     const glm::dvec3 size = scene.bounds_world.size();
@@ -110,12 +101,10 @@ PvsRayResult measure_pvs(const Scene& scene, std::span<const MeshChunks> chunks_
         const glm::dvec3 eye = place % 2 == 0 ? dice.in_box(scene.bounds_world)
                                               : dice.near_triangle(triangles[dice.below(triangles.size())], reach);
         const int leaf = leaf_at(visibility.tree, eye);
-        if (leaf < 0) continue;
-        signed char& full = is_full[static_cast<std::size_t>(leaf)];
-        if (full < 0) full = is_row_full(visibility.rows, leaf) ? 1 : 0;
-        if (full && visibility.tree.leaf_count > 1) continue;
+        if (leaf < 0 || visibility.tree.is_solid[static_cast<std::size_t>(leaf)]) continue;
         visible_chunks(visibility, eye, 0.0, is_visible);
-        LeafTruth& truth = truths[static_cast<std::size_t>(leaf)];
+        const int cluster = visibility.tree.cluster_of_leaf[static_cast<std::size_t>(leaf)];
+        ClusterTruth& truth = truths[static_cast<std::size_t>(cluster)];
         truth.met.resize(visibility.slots.size());
         for (int ray = 0; ray < kRaysPerPlace; ++ray) {
             const glm::dvec3 direction = dice.direction();

@@ -18,14 +18,19 @@ using TriMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
 struct HalfEdgeMesh::Mesh {
     TriMesh tri;
-    std::uint32_t duplicated = 0;
+    std::uint32_t surface_positions = 0;
+    std::vector<std::uint32_t> original;  // for each vertex its position in the surface
 };
 
 HalfEdgeMesh::HalfEdgeMesh(const Surface& surface) : mesh_(std::make_unique<Mesh>())
 {
     TriMesh& tri = mesh_->tri;
+    mesh_->surface_positions = static_cast<std::uint32_t>(surface.positions.size());
     tri.reserve(surface.positions.size(), surface.faces.size() * 3 / 2, surface.faces.size());
-    for (const glm::vec3& p : surface.positions) tri.add_vertex({p.x, p.y, p.z});
+    for (const glm::vec3& p : surface.positions) {
+        mesh_->original.push_back(static_cast<std::uint32_t>(tri.n_vertices()));
+        tri.add_vertex({p.x, p.y, p.z});
+    }
     // A refused face is no error here, so OpenMesh's report of it must not reach the user.
     const bool was_enabled = omerr().is_enabled();
     omerr().disable();
@@ -36,8 +41,8 @@ HalfEdgeMesh::HalfEdgeMesh(const Surface& surface) : mesh_(std::make_unique<Mesh
         for (int i = 0; i < 3; ++i) {
             const TriMesh::Point point = tri.point(tri.vertex_handle(corners[i]));  // add_vertex moves the storage
             copies[i] = tri.add_vertex(point);
+            mesh_->original.push_back(corners[i]);
         }
-        mesh_->duplicated += 3;
         HW_ASSERT(tri.add_face(copies[0], copies[1], copies[2]).is_valid());
     }
     if (was_enabled) omerr().enable();
@@ -51,7 +56,14 @@ HalfEdgeMesh& HalfEdgeMesh::operator=(HalfEdgeMesh&&) noexcept = default;
 std::uint32_t HalfEdgeMesh::face_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_faces()); }
 std::uint32_t HalfEdgeMesh::vertex_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_vertices()); }
 std::uint32_t HalfEdgeMesh::edge_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_edges()); }
-std::uint32_t HalfEdgeMesh::duplicated_vertices() const { return mesh_->duplicated; }
+std::uint32_t HalfEdgeMesh::duplicated_vertices() const { return vertex_count() - mesh_->surface_positions; }
+
+std::array<std::uint32_t, 2> HalfEdgeMesh::edge_ends(int edge) const
+{
+    const auto side = mesh_->tri.halfedge_handle(TriMesh::EdgeHandle(edge), 0);
+    return {mesh_->original[mesh_->tri.from_vertex_handle(side).idx()],
+            mesh_->original[mesh_->tri.to_vertex_handle(side).idx()]};
+}
 
 void HalfEdgeMesh::plain_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges) const
 {

@@ -28,6 +28,9 @@ class HalfEdgeMesh {
     /// middle. Edge numbers are OpenMesh's.
     void plain_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges) const;
 
+    /// The ends of an edge as positions of the surface.
+    std::array<std::uint32_t, 2> edge_ends(int edge) const;
+
  private:
     struct Mesh;
     std::unique_ptr<Mesh> mesh_;

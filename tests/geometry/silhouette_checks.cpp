@@ -38,43 +38,34 @@ std::vector<glm::dvec3> eyes_around(const Surface& surface)
     return eyes;
 }
 
-std::size_t wrong_edges(const Surface& surface, const Viewpoint& viewpoint, const ExactOracle& oracle,
-                        SilhouetteScratch& scratch, FacingPrecision precision)
+std::vector<OracleEdge> found_edges(const Surface& surface, const Viewpoint& viewpoint, SilhouetteScratch& scratch,
+                                    FacingPrecision precision)
 {
-    std::vector<ExactOracle::Edge> found;
+    std::vector<OracleEdge> found;
     for (const std::uint32_t edge : all_silhouettes(surface, viewpoint, {.precision = precision}, scratch)) {
         const auto [u, v] = surface.edges.vertices[edge];
         found.push_back({std::min(u, v), std::max(u, v)});
     }
     std::sort(found.begin(), found.end());
-    const std::vector<ExactOracle::Edge> expected =
-        oracle.silhouettes(viewpoint.eye, viewpoint.is_orthographic ? 0.0 : 1.0);
-    std::vector<ExactOracle::Edge> wrong;
-    std::set_symmetric_difference(found.begin(), found.end(), expected.begin(), expected.end(),
-                                  std::back_inserter(wrong));
-    return wrong.size();
+    return found;
 }
 
-std::size_t odd_vertices(const Surface& surface, std::span<const std::uint32_t> silhouettes)
+std::size_t wrong_edges(const Surface& surface, const Viewpoint& viewpoint, const SilhouetteOracle& oracle,
+                        SilhouetteScratch& scratch, FacingPrecision precision)
 {
-    std::vector<std::uint32_t> count(surface.positions.size(), 0);
-    for (const std::uint32_t edge : silhouettes) {
-        const std::uint32_t component = surface.face_component[surface.edges.faces[edge][0]];
-        if (!surface.components[component].is_closed) continue;
-        for (const std::uint32_t vertex : surface.edges.vertices[edge]) ++count[vertex];
-    }
-    return static_cast<std::size_t>(std::count_if(count.begin(), count.end(), [](auto n) { return n % 2 == 1; }));
+    const auto expected = oracle.silhouettes(viewpoint.eye, viewpoint.is_orthographic ? 0.0 : 1.0);
+    const auto errors = oracle.judge(found_edges(surface, viewpoint, scratch, precision), expected);
+    return errors.false_positives + errors.false_negatives + errors.odd_vertices;
 }
 
 std::size_t wrong_edges_in_all_views(const Surface& surface, bool every_sign_rational)
 {
-    const ExactOracle oracle(surface.positions, surface.faces, every_sign_rational);
+    using Arithmetic = SilhouetteOracle::Arithmetic;
+    const SilhouetteOracle oracle(surface.positions, surface.faces,
+                                  every_sign_rational ? Arithmetic::rational_only : Arithmetic::filtered);
     SilhouetteScratch scratch;
     std::size_t wrong = 0;
-    for (const glm::dvec3& eye : eyes_around(surface)) {
-        wrong += wrong_edges(surface, {eye}, oracle, scratch);
-        wrong += odd_vertices(surface, all_silhouettes(surface, {eye}, {}, scratch));
-    }
+    for (const glm::dvec3& eye : eyes_around(surface)) wrong += wrong_edges(surface, {eye}, oracle, scratch);
     return wrong;
 }
 

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "geometry/exact_oracle.hpp"
 #include "geometry/silhouettes.hpp"
+#include "measure/silhouette_oracle.hpp"
 
 namespace hw::test {
 
@@ -13,14 +13,15 @@ namespace hw::test {
 /// vertices, 1 on an edge, 1 on a face, 1 in the planes of both faces of an edge, 1 in the middle of the bounding box.
 std::vector<glm::dvec3> eyes_around(const Surface& surface);
 
-/// False positives plus false negatives against the oracle.
-std::size_t wrong_edges(const Surface& surface, const Viewpoint& viewpoint, const ExactOracle& oracle,
+/// The silhouettes of a surface as the oracle names edges.
+std::vector<OracleEdge> found_edges(const Surface& surface, const Viewpoint& viewpoint, SilhouetteScratch& scratch,
+                                    FacingPrecision precision = FacingPrecision::exact);
+
+/// False positives plus false negatives plus odd vertices against the oracle.
+std::size_t wrong_edges(const Surface& surface, const Viewpoint& viewpoint, const SilhouetteOracle& oracle,
                         SilhouetteScratch& scratch, FacingPrecision precision = FacingPrecision::exact);
 
-/// The same, over eyes_around() and, on a closed surface, plus vertices with an odd number of silhouette edges.
+/// The same, over eyes_around().
 std::size_t wrong_edges_in_all_views(const Surface& surface, bool every_sign_rational = false);
-
-/// Vertices of closed components at which an odd number of silhouettes meets.
-std::size_t odd_vertices(const Surface& surface, std::span<const std::uint32_t> silhouettes);
 
 }  // namespace hw::test

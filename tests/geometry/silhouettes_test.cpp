@@ -7,13 +7,14 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "geometry/exact_oracle.hpp"
 #include "geometry/silhouette_checks.hpp"
 #include "geometry/test_meshes.hpp"
 
 namespace {
 
 using namespace hw::test;
+
+constexpr auto kRational = hw::SilhouetteOracle::Arithmetic::rational_only;
 
 }  // namespace
 
@@ -86,7 +87,7 @@ TEST(silhouettes, are_exact_for_ten_thousand_random_eyes)
     const hw::Surface surface = hw::build_surface(torus(16, 10));
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-2.0, 2.0);
-    const ExactOracle oracle(surface.positions, surface.faces, false);
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces);
     hw::SilhouetteScratch scratch;
     for (int i = 0; i < 10000; ++i) {
         const hw::Viewpoint viewpoint{glm::dvec3(place(random), place(random), place(random))};
@@ -119,7 +120,7 @@ TEST(silhouettes, are_exact_under_non_uniform_scale_and_one_ulp_of_noise)
 TEST(silhouettes, are_exact_in_orthographic_views_also_parallel_to_faces)
 {
     const hw::Surface surface = hw::build_surface(prism(8));
-    const ExactOracle oracle(surface.positions, surface.faces, true);
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces, kRational);
     hw::SilhouetteScratch scratch;
     for (int i = 0; i < 27; ++i) {
         const hw::Viewpoint viewpoint{glm::dvec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), true};
@@ -131,7 +132,7 @@ TEST(silhouettes, floats_alone_are_wrong_where_the_exact_mode_is_right)
 {
     const glm::mat4 far_away = glm::translate(glm::mat4(1.0f), glm::vec3(1e5f));
     const hw::Surface surface = hw::build_surface(moved(sphere(96, 48), far_away));
-    const ExactOracle oracle(surface.positions, surface.faces, false);
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces);
     hw::SilhouetteScratch scratch;
     std::size_t wrong = 0;
     for (const glm::dvec3& eye : eyes_around(surface)) {
@@ -139,4 +140,26 @@ TEST(silhouettes, floats_alone_are_wrong_where_the_exact_mode_is_right)
         EXPECT_EQ(wrong_edges(surface, {eye}, oracle, scratch), 0u);
     }
     EXPECT_GT(wrong, 0u);
+}
+
+TEST(silhouette_oracle, counts_one_edge_too_few_and_one_too_many)
+{
+    const hw::Surface surface = hw::build_surface(box({0, 0, 0}, {1, 1, 1}));
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces, kRational);
+    const auto expected = oracle.silhouettes(glm::dvec3(3, 4, 5));
+    ASSERT_EQ(expected.size(), 6u);
+    const auto right = oracle.judge(expected, expected);
+    EXPECT_EQ(right.false_positives + right.false_negatives + right.odd_vertices, 0u);
+
+    auto found = expected;
+    found.erase(found.begin() + 2);
+    const auto too_few = oracle.judge(found, expected);
+    EXPECT_EQ(too_few.false_positives, 0u);
+    EXPECT_EQ(too_few.false_negatives, 1u);
+    EXPECT_EQ(too_few.odd_vertices, 2u);
+
+    found = expected;
+    found.push_back({6, 7});  // the last of all in order, and no silhouette here
+    const auto too_many = oracle.judge(std::span(found).first(7), expected);
+    EXPECT_EQ(too_many.false_positives, 1u);
 }

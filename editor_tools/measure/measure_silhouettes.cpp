@@ -1,0 +1,290 @@
+// Milliseconds and errors of every way to find silhouettes, over the same views in one run. The reference computes with
+// rational numbers and shares no code with what it judges.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <numbers>
+#include <random>
+
+#include "core/error.hpp"
+#include "core/progress.hpp"
+#include "geometry/half_edge_mesh.hpp"
+#include "geometry/silhouettes.hpp"
+#include "hatchway/arguments.hpp"
+#include "io/gltf_import.hpp"
+#include "io/json_out.hpp"
+#include "io/level_file.hpp"
+#include "measure/measures.hpp"
+#include "measure/silhouette_oracle.hpp"
+
+namespace hw {
+namespace {
+
+constexpr int kRounds = 3;
+constexpr int kTrials = 1000;     // random views among which the worst are looked for
+constexpr std::size_t kWorst = 5;
+constexpr float kNoCreases = 3.2f;
+
+struct SilhouetteMeasureArguments {
+    std::vector<std::filesystem::path> files;
+    int views = 26;
+    std::vector<double> offsets{0.0, 1e3, 1e5, 1e6};
+    std::vector<double> scales{1.0};
+    std::filesystem::path json;
+};
+
+/// One mesh placed for one row, with the views that all methods get.
+struct Subject {
+    Surface surface;
+    std::unique_ptr<HalfEdgeMesh> half_edges;
+    std::unique_ptr<SilhouetteOracle> oracle;
+    std::vector<Viewpoint> views;
+    std::vector<std::vector<OracleEdge>> expected;  ///< For each view.
+    double preprocess_s = 0.0;
+};
+
+enum class Method { brute, candidates, openmesh };
+
+struct Variant {
+    Method method;
+    FacingPrecision precision;
+    const char* method_name;
+    const char* precision_name;
+};
+constexpr std::array<Variant, 5> kVariants{{{Method::brute, FacingPrecision::exact, "brute", "exact"},
+                                            {Method::brute, FacingPrecision::double_only, "brute", "double"},
+                                            {Method::brute, FacingPrecision::single_only, "brute", "float"},
+                                            {Method::candidates, FacingPrecision::exact, "candidates", "exact"},
+                                            {Method::openmesh, FacingPrecision::single_only, "openmesh", "float"}}};
+
+struct Row {
+    std::string model;
+    Variant variant;
+    double offset = 0.0;
+    double scale = 1.0;
+    std::vector<double> ms;
+    std::uint64_t edges = 0;
+    SilhouetteErrors errors;
+    SilhouetteCounters counters;
+    std::uint64_t bytes = 0;
+    double preprocess_s = 0.0;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double quantile(std::vector<double> values, double share)
+{
+    if (values.empty()) return 0.0;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// Eyes evenly around the mesh, then the random ones from which the filter left most faces open.
+std::vector<Viewpoint> views_of(const Surface& surface, int count)
+{
+    Box box;
+    for (const glm::vec3& p : surface.positions) box.add(glm::dvec3(p));
+    const double reach = 0.5 * glm::length(box.size());
+    std::vector<Viewpoint> views;
+    for (int i = 0; i < count; ++i) {
+        const double y = 1.0 - 2.0 * (i + 0.5) / count, around = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+        const double r = std::sqrt(1.0 - y * y);
+        views.push_back({box.centre() + 3.0 * reach * glm::dvec3(r * std::cos(around), y, r * std::sin(around))});
+    }
+    std::mt19937 random(20011);
+    const auto part = [&] { return 2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0; };
+    std::vector<std::pair<std::uint64_t, Viewpoint>> trials;
+    SilhouetteScratch scratch;
+    for (int i = 0; i < kTrials; ++i) {
+        const double x = part(), y = part(), z = part();
+        const Viewpoint trial{box.centre() + 3.0 * reach * glm::dvec3(x, y, z)};
+        scratch.counters = {};
+        find_facing(surface, trial, FacingPrecision::exact, scratch);
+        trials.emplace_back(scratch.counters.double_stage, trial);
+    }
+    std::stable_sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (std::size_t i = 0; i < kWorst; ++i) views.push_back(trials[i].second);
+    return views;
+}
+
+Subject subject_of(MeshData mesh, double offset, double scale, int view_count)
+{
+    for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) * scale + offset);
+    Subject subject;
+    const auto start = std::chrono::steady_clock::now();
+    subject.surface = build_surface(mesh);
+    subject.preprocess_s = seconds_since(start);
+    subject.half_edges = std::make_unique<HalfEdgeMesh>(subject.surface);
+    subject.oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces);
+    subject.views = views_of(subject.surface, view_count);
+    for (const Viewpoint& view : subject.views) subject.expected.push_back(subject.oracle->silhouettes(view.eye));
+    return subject;
+}
+
+std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant, const Viewpoint& view,
+                                 SilhouetteScratch& scratch, std::vector<int>& openmesh_edges, double& ms)
+{
+    const SilhouetteOptions options{.crease_rad = kNoCreases, .precision = variant.precision};
+    std::span<const std::uint32_t> edges;
+    const auto start = std::chrono::steady_clock::now();
+    if (variant.method == Method::brute) edges = all_silhouettes(subject.surface, view, options, scratch);
+    if (variant.method == Method::candidates) edges = drawn_contours(subject.surface, view, options, scratch);
+    if (variant.method == Method::openmesh) subject.half_edges->plain_silhouettes(view, openmesh_edges);
+    ms = 1e3 * seconds_since(start);
+
+    std::vector<OracleEdge> found;
+    const auto add = [&](const std::array<std::uint32_t, 2>& ends) {
+        found.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
+    };
+    if (variant.method == Method::openmesh) {
+        for (const int edge : openmesh_edges) add(subject.half_edges->edge_ends(edge));
+    } else {
+        for (const std::uint32_t edge : edges) add(subject.surface.edges.vertices[edge]);
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+/// What a method is to find: candidates leave out what is drawn anyway and what the reflex rule hides, and so make no
+/// closed loops.
+std::vector<OracleEdge> expected_of(const Subject& subject, const Variant& variant, std::size_t view)
+{
+    if (variant.method != Method::candidates) return subject.expected[view];
+    const EdgeClasses classes = classes_at(subject.surface, kNoCreases);
+    std::vector<OracleEdge> candidates;
+    for (const EdgeRange range : classes.candidates) {
+        for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
+            const auto [a, b] = subject.surface.edges.vertices[edge];
+            candidates.push_back({std::min(a, b), std::max(a, b)});
+        }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    std::vector<OracleEdge> expected;
+    std::set_intersection(candidates.begin(), candidates.end(), subject.expected[view].begin(),
+                          subject.expected[view].end(), std::back_inserter(expected));
+    return expected;
+}
+
+void measure_subject(const Subject& subject, Row& row)
+{
+    SilhouetteScratch scratch;
+    std::vector<int> openmesh_edges;
+    for (int round = 0; round < kRounds; ++round) {
+        for (std::size_t view = 0; view < subject.views.size(); ++view) {
+            double ms = 0.0;
+            const auto found = run_once(subject, row.variant, subject.views[view], scratch, openmesh_edges, ms);
+            row.ms.push_back(ms);
+            if (round > 0) continue;
+            const SilhouetteErrors errors = subject.oracle->judge(found, expected_of(subject, row.variant, view));
+            row.errors.false_positives += errors.false_positives;
+            row.errors.false_negatives += errors.false_negatives;
+            if (row.variant.method != Method::candidates) row.errors.odd_vertices += errors.odd_vertices;
+        }
+    }
+    row.edges = subject.surface.edges.size();
+    row.counters = scratch.counters;
+    row.bytes = edge_bytes(subject.surface) + subject.surface.filter.bytes();
+    row.preprocess_s = subject.preprocess_s;
+}
+
+double share(std::uint64_t part, std::uint64_t whole)
+{
+    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+JsonValue row_json(const Row& row)
+{
+    const double median = quantile(row.ms, 0.5);
+    const double calls = static_cast<double>(row.ms.size());
+    JsonValue json = JsonValue::object();
+    json.set("model", row.model).set("method", row.variant.method_name).set("precision", row.variant.precision_name);
+    json.set("offset", row.offset).set("scale", row.scale);
+    json.set("ms_median", median).set("ms_p95", quantile(row.ms, 0.95));
+    json.set("ns_per_edge", 1e6 * median / static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
+    json.set("fp", std::uint64_t{row.errors.false_positives}).set("fn", std::uint64_t{row.errors.false_negatives});
+    json.set("odd", std::uint64_t{row.errors.odd_vertices});
+    json.set("fallback", share(row.counters.exact_stage, row.counters.faces_tested));
+    json.set("double_stage", share(row.counters.double_stage, row.counters.faces_tested));
+    json.set("tested_share", static_cast<double>(row.counters.edges_tested) / calls /
+                                 static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
+    json.set("bytes", row.bytes).set("preprocess_s", row.preprocess_s);
+    return json;
+}
+
+std::string row_text(const Row& row)
+{
+    return fmt::format("{:<24} {:<10} {:<6} {:>8.0e} {:>8.0e} {:>9.3f} {:>9.3f} {:>6} {:>6} {:>5} {:>9.5f}\n", row.model,
+                       row.variant.method_name, row.variant.precision_name, row.offset, row.scale,
+                       quantile(row.ms, 0.5), quantile(row.ms, 0.95), row.errors.false_positives,
+                       row.errors.false_negatives, row.errors.odd_vertices,
+                       share(row.counters.double_stage, row.counters.faces_tested));
+}
+
+/// All primitives of a model as one mesh of bare triangles, object space.
+MeshData merged_mesh(const std::filesystem::path& file)
+{
+    const Level level = read_level(file);
+    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    MeshData merged;
+    for (const MeshData& mesh : scene.meshes) {
+        const auto first = static_cast<std::uint32_t>(merged.positions.size());
+        merged.positions.insert(merged.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        for (const std::uint32_t index : mesh.indices) merged.indices.push_back(first + index);
+    }
+    return merged;
+}
+
+void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
+{
+    if (arguments.views < 1 || arguments.views > 100000)
+        throw Error({.what = fmt::format("--views {}", arguments.views), .expected = "1 to 100000"});
+    require_writable(arguments.json, "--json");
+    JsonValue rows = JsonValue::array();
+    Progress progress("Measuring silhouettes",
+                      arguments.files.size() * arguments.offsets.size() * arguments.scales.size());
+    std::cout << fmt::format("{:<24} {:<10} {:<6} {:>8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>5} {:>9}\n", "model", "method",
+                             "number", "offset", "scale", "median ms", "p95 ms", "false+", "false-", "odd", "doubles");
+    for (const std::filesystem::path& file : arguments.files) {
+        const MeshData mesh = merged_mesh(file);
+        for (const double offset : arguments.offsets) {
+            for (const double scale : arguments.scales) {
+                const Subject subject = subject_of(mesh, offset, scale, arguments.views);
+                for (const Variant& variant : kVariants) {
+                    Row row{.model = file.stem().string(), .variant = variant, .offset = offset, .scale = scale};
+                    measure_subject(subject, row);
+                    rows.push(row_json(row));
+                    std::cout << row_text(row);
+                }
+                progress.advance();
+            }
+        }
+    }
+    if (!arguments.json.empty()) write_json(arguments.json, JsonValue::object().set("rows", std::move(rows)));
+}
+
+}  // namespace
+
+void add_measure_silhouettes(CLI::App& measure)
+{
+    auto arguments = std::make_shared<SilhouetteMeasureArguments>();
+    CLI::App* command =
+        measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
+    command->add_option("models", arguments->files, "Models or levels")->required()->option_text("GLB...");
+    command->add_option("--views", arguments->views, "Views around the model; 26")->option_text("N");
+    command->add_option("--offset", arguments->offsets, "Move the model; 0,1e3,1e5,1e6")
+        ->delimiter(',')
+        ->option_text("LIST");
+    command->add_option("--scale", arguments->scales, "Scale the model first; 1")->delimiter(',')->option_text("LIST");
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { measure_silhouettes(*arguments); });
+}
+
+}  // namespace hw

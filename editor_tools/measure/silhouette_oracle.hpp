@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace hw {
+
+/// An edge by its positions, the smaller id first.
+using OracleEdge = std::array<std::uint32_t, 2>;
+
+/// What a list of silhouette edges has wrong.
+struct SilhouetteErrors {
+    std::size_t false_positives = 0;
+    std::size_t false_negatives = 0;
+    std::size_t odd_vertices = 0;  ///< Closed vertices at which an odd number of the listed edges meets.
+};
+
+/// Silhouettes by rational arithmetic from nothing but positions and oriented faces. Shares no code with the engine.
+/// The spans must outlive it.
+class SilhouetteOracle {
+ public:
+    enum class Arithmetic : unsigned char { filtered, rational_only };
+
+    /// `filtered` computes with GMP only those signs that long doubles leave open.
+    SilhouetteOracle(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> faces,
+                     Arithmetic arithmetic = Arithmetic::filtered);
+
+    /// Edges of exactly two faces that differ in facing, sorted. `w` is 1 for an eye, 0 for a direction to the viewer.
+    /// A face whose plane contains the eye is back-facing; a collinear face has the facing of the neighbour across its
+    /// longest edge, if that edge has exactly two faces, else it is back-facing.
+    std::vector<OracleEdge> silhouettes(const glm::dvec3& eye, double w = 1.0) const;
+
+    /// Judges a sorted list against `expected`, the oracle's own for the same eye.
+    SilhouetteErrors judge(std::span<const OracleEdge> found, std::span<const OracleEdge> expected) const;
+
+    std::size_t edge_count() const { return edge_count_; }
+
+ private:
+    struct Pair {
+        OracleEdge edge;
+        std::uint32_t face_a;
+        std::uint32_t face_b;
+    };
+
+    int sign(std::uint32_t face, const glm::dvec3& eye, double w) const;
+    bool is_collinear(std::uint32_t face) const;
+    int longest_side(std::uint32_t face) const;
+
+    std::span<const glm::vec3> positions_;
+    std::span<const std::array<std::uint32_t, 3>> faces_;
+    Arithmetic arithmetic_;
+    std::size_t edge_count_ = 0;
+    std::vector<Pair> pairs_;
+    std::vector<std::array<std::uint32_t, 2>> inherits_;  // collinear face, the face whose facing it has
+    std::vector<bool> is_closed_;                         // positions all of whose edges have exactly two faces
+};
+
+}  // namespace hw
