@@ -10,6 +10,7 @@
 namespace hw {
 namespace {
 
+constexpr int kNone = -1;
 constexpr int kLargestTried = 16;   // candidate planes by area
 constexpr int kSampledTried = 16;   // and evenly among the others
 constexpr std::size_t kMostMeasured = 400;  // polygons that a candidate's cost is measured on
@@ -22,12 +23,12 @@ struct Candidate {
     double area = 0.0;
 };
 
-/// The planes of the polygons with their areas, largest first.
-std::vector<Candidate> planes_by_area(const std::vector<BlockingPolygon>& polygons)
+/// The planes of the structure (of the details) among the polygons with their areas, largest first.
+std::vector<Candidate> planes_by_area(const std::vector<BlockingPolygon>& polygons, bool of_details)
 {
     std::map<int, double> area_of_plane;
     for (const BlockingPolygon& polygon : polygons) {
-        if (polygon.is_splitter) area_of_plane[polygon.polygon.plane] += area(polygon.polygon);
+        if (polygon.is_detail == of_details) area_of_plane[polygon.polygon.plane] += area(polygon.polygon);
     }
     std::vector<Candidate> result;
     for (const auto& [plane, plane_area] : area_of_plane) result.push_back({plane, plane_area});
@@ -66,9 +67,10 @@ double cost_of(const ExactPlane& plane, double area_share, const std::vector<Blo
     return kCutCost * cut / count + kBalanceCost * std::abs(front - back) / count - kAreaGain * area_share;
 }
 
-int best_splitter(const PlaneSet& planes, const std::vector<BlockingPolygon>& polygons)
+int best_splitter(const PlaneSet& planes, const std::vector<BlockingPolygon>& polygons, bool of_details)
 {
-    const std::vector<Candidate> by_area = planes_by_area(polygons);
+    const std::vector<Candidate> by_area = planes_by_area(polygons, of_details);
+    if (by_area.size() == 1) return by_area.front().plane;
     double total = 0.0;
     for (const Candidate& candidate : by_area) total += candidate.area;
     int best = by_area.front().plane;
@@ -108,24 +110,34 @@ Parts split(const PlaneSet& planes, std::vector<BlockingPolygon> polygons, int p
     return parts;
 }
 
-int build_node(BspBuild& build, std::vector<BlockingPolygon> polygons, int depth)
+int add_leaf(BspTree& tree, int cluster)
 {
+    tree.cluster_of_leaf.push_back(cluster);
+    return ~(tree.leaf_count++);
+}
+
+/// `cluster` is kNone as long as structure splits.
+int build_node(BspBuild& build, std::vector<BlockingPolygon> polygons, int cluster, int depth)
+{
+    BspTree& tree = build.tree;
     build.depth = std::max(build.depth, depth);
-    if (std::none_of(polygons.begin(), polygons.end(), [](const BlockingPolygon& p) { return p.is_splitter; })) {
-        for (const BlockingPolygon& polygon : polygons) build.lost_area += area(polygon.polygon);
-        return ~(build.tree.leaf_count++);
-    }
-    const int plane = best_splitter(build.planes, polygons);
+    const bool has_structure =
+        std::any_of(polygons.begin(), polygons.end(), [](const BlockingPolygon& polygon) { return !polygon.is_detail; });
+    if (!has_structure && cluster == kNone) cluster = tree.cluster_count++;
+    if (polygons.empty()) return add_leaf(tree, cluster);
+
+    const int plane = best_splitter(build.planes, polygons, !has_structure);
     Parts parts = split(build.planes, std::move(polygons), plane);
-    const int index = static_cast<int>(build.tree.nodes.size());
+    const int index = static_cast<int>(tree.nodes.size());
     build.piece_count += static_cast<int>(parts.on.size());
-    build.tree.nodes.push_back({build.planes[plane]});
+    tree.nodes.push_back({build.planes[plane]});
     build.plane_of_node.push_back(plane);
+    build.is_detail_node.push_back(!has_structure);
     build.polygons_of_node.push_back(std::move(parts.on));
-    const int front = build_node(build, std::move(parts.front), depth + 1);
-    build.tree.nodes[static_cast<std::size_t>(index)].front = front;
-    const int back = build_node(build, std::move(parts.back), depth + 1);
-    build.tree.nodes[static_cast<std::size_t>(index)].back = back;
+    const int front = build_node(build, std::move(parts.front), cluster, depth + 1);
+    tree.nodes[static_cast<std::size_t>(index)].front = front;
+    const int back = build_node(build, std::move(parts.back), cluster, depth + 1);
+    tree.nodes[static_cast<std::size_t>(index)].back = back;
     return index;
 }
 
@@ -173,7 +185,9 @@ Corners cut(const Corners& polygon, const ExactPlane& plane, double sign, double
     return result;
 }
 
-void collect_leaves(const BspTree& tree, int child, const Corners& polygon, double reach, std::vector<int>& leaves)
+/// `facing` is the normal of a polygon that is drawn from its front only, zero for one drawn from both sides.
+void collect_leaves(const BspTree& tree, int child, const Corners& polygon, const glm::dvec3& facing, double reach,
+                    std::vector<int>& leaves)
 {
     if (child < 0) {
         leaves.push_back(~child);
@@ -188,8 +202,17 @@ void collect_leaves(const BspTree& tree, int child, const Corners& polygon, doub
         most = std::max(most, distance);
     }
     const bool is_cut = least < -reach && most > reach && polygon.count + 2 <= kMostCorners;
-    if (most >= -reach) collect_leaves(tree, node.front, is_cut ? cut(polygon, node.plane, 1.0, reach) : polygon, reach, leaves);
-    if (least <= reach) collect_leaves(tree, node.back, is_cut ? cut(polygon, node.plane, -1.0, reach) : polygon, reach, leaves);
+    bool is_in_front = most >= -reach;
+    bool is_behind = least <= reach;
+    if (is_in_front && is_behind && !is_cut && most - least <= 2.0 * reach) {
+        // It lies in the plane: who sees it comes from the side that it looks to.
+        const double looks = glm::dot(facing, node.plane.unit_normal);
+        if (looks > 0.9) is_behind = false;
+        if (looks < -0.9) is_in_front = false;
+    }
+    const auto part = [&](double sign) { return is_cut ? cut(polygon, node.plane, sign, reach) : polygon; };
+    if (is_in_front) collect_leaves(tree, node.front, part(1.0), facing, reach, leaves);
+    if (is_behind) collect_leaves(tree, node.back, part(-1.0), facing, reach, leaves);
 }
 
 }  // namespace
@@ -208,7 +231,9 @@ BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygo
         build.tree.bounds_world.max[axis] = grid.origin_world[axis] + static_cast<double>(box_max[i]) * grid.step_m;
     }
     build.tree.leaf_count = 0;
-    build_node(build, std::move(polygons), 0);
+    build.tree.cluster_count = 0;
+    build_node(build, std::move(polygons), kNone, 0);
+    build.tree.is_solid.assign(static_cast<std::size_t>(build.tree.leaf_count), 0);
     return build;
 }
 
@@ -236,14 +261,14 @@ std::vector<int> leaves_near(const BspTree& tree, const glm::dvec3& centre_world
     return leaves;
 }
 
-void leaves_of_polygon(const BspTree& tree, std::span<const glm::dvec3> corners_world, double slack_m,
-                       std::vector<int>& leaves)
+void leaves_of_polygon(const BspTree& tree, std::span<const glm::dvec3> corners_world, const glm::dvec3& facing,
+                       double slack_m, std::vector<int>& leaves)
 {
     HW_ASSERT(corners_world.size() <= 16);
     Corners polygon;
     for (const glm::dvec3& corner : corners_world) polygon.points[polygon.count++] = to_grid(tree.grid, corner);
     const std::size_t first = leaves.size();
-    collect_leaves(tree, root_of(tree), polygon, slack_m / tree.grid.step_m, leaves);
+    collect_leaves(tree, root_of(tree), polygon, facing, slack_m / tree.grid.step_m, leaves);
     const auto begin = leaves.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, leaves.end());
     leaves.erase(std::unique(begin, leaves.end()), leaves.end());

@@ -18,7 +18,7 @@ struct BlockingPolygon {
     PlanePolygon polygon;
     bool blocks_from_front = false;
     bool blocks_from_back = false;
-    bool is_splitter = true;  ///< False: blocks where a plane of the tree happens to hold it, never splits space itself.
+    bool is_detail = false;  ///< Splits space only once all structure has, so that it never cuts the clusters.
 };
 
 /// An inner node. Children: a node's index, or a leaf as ~leaf.
@@ -28,12 +28,16 @@ struct BspNode {
     int back = ~0;   ///< Where it is negative or zero.
 };
 
-/// The tree alone, for asking where a point is.
+/// The tree alone, for asking where a point is. Structure splits space into clusters, details split clusters into leaves:
+/// a cluster is convex, too, and is what sees and is seen.
 struct BspTree {
     Grid grid;
     Box bounds_world;  ///< What the leaves fill; a point outside belongs to no leaf.
     std::vector<BspNode> nodes;  ///< Root first; without nodes there is one leaf, 0.
     int leaf_count = 1;
+    int cluster_count = 1;
+    std::vector<int> cluster_of_leaf;
+    std::vector<std::uint8_t> is_solid;  ///< By leaf: inside of walls. All 0 until build_portals() has found out.
 };
 
 /// A tree with what it was made from, for portals and measures.
@@ -41,12 +45,12 @@ struct BspBuild {
     BspTree tree;
     PlaneSet planes;
     std::vector<int> plane_of_node;
+    std::vector<std::uint8_t> is_detail_node;  ///< Within a cluster.
     std::vector<std::vector<BlockingPolygon>> polygons_of_node;  ///< The pieces that lie in each node's plane.
     std::array<std::int64_t, 3> box_min{};                       ///< Grid points.
     std::array<std::int64_t, 3> box_max{};
     int depth = 0;
     int piece_count = 0;
-    double lost_area = 0.0;  ///< Square grid units of polygons that are no splitters and that no plane of the tree held.
 };
 
 /// Splits space by the planes of `polygons`, which lie within the box; every decision is exact, so no piece is lost,
@@ -62,8 +66,10 @@ int leaf_at(const BspTree& tree, const glm::dvec3& point_world);
 /// wholly within the box.
 std::vector<int> leaves_near(const BspTree& tree, const glm::dvec3& centre_world, double radius_m);
 
-/// Every leaf that the convex polygon touches within `slack_m`, ascending. At most 16 corners.
-void leaves_of_polygon(const BspTree& tree, std::span<const glm::dvec3> corners_world, double slack_m,
-                       std::vector<int>& leaves);
+/// Every leaf that the convex polygon touches within `slack_m`, ascending, appended. At most 16 corners. `facing` is the
+/// unit normal of a polygon that is drawn from its front only: where it lies in a plane of the tree it belongs to the
+/// side that it looks to alone. Zero for a polygon that is drawn from both sides.
+void leaves_of_polygon(const BspTree& tree, std::span<const glm::dvec3> corners_world, const glm::dvec3& facing,
+                       double slack_m, std::vector<int>& leaves);
 
 }  // namespace hw

@@ -195,6 +195,7 @@ struct GroupKey {
     int plane = 0;
     bool front = false;
     bool back = false;
+    bool is_named = false;
     auto operator<=>(const GroupKey&) const = default;
 };
 
@@ -232,8 +233,8 @@ std::map<GroupKey, std::vector<FlatRing>> group(std::span<const GridTriangle> tr
         FlatRing ring = flat_ring(triangle, major_axis(plane));
         if (ring.empty()) continue;
         const bool looks_front = glm::dot(rounded(normals[entry.index]), plane.unit_normal) > 0.0;
-        groups[{number, looks_front || triangle.is_double_sided, !looks_front || triangle.is_double_sided}].push_back(
-            std::move(ring));
+        const bool both = triangle.is_double_sided;
+        groups[{number, looks_front || both, !looks_front || both, triangle.is_named}].push_back(std::move(ring));
     }
     return groups;
 }
@@ -251,7 +252,7 @@ std::vector<FlatPolygon> merge_coplanar(std::span<const GridTriangle> triangles,
         for (FlatRing& ring : rings) {
             if (ring.empty()) continue;
             const double ring_size = ring_area(ring) / shrink;
-            result.push_back({plane, std::move(ring), key.front, key.back, ring_size});
+            result.push_back({plane, std::move(ring), key.front, key.back, key.is_named, ring_size});
         }
     }
     return result;

@@ -14,6 +14,7 @@ namespace hw {
 struct GridTriangle {
     std::array<std::array<std::int64_t, 3>, 3> corners{};
     bool is_double_sided = false;
+    bool is_named = false;  ///< Of an object that the level names as structure.
 };
 
 /// A strictly convex polygon over a plane. Front is where the plane is positive.
@@ -22,11 +23,12 @@ struct FlatPolygon {
     FlatRing ring;  ///< Counter-clockwise about the plane's major axis.
     bool blocks_from_front = false;
     bool blocks_from_back = false;
+    bool is_named = false;
     double area = 0.0;  ///< Square grid units.
 };
 
 /// Lays triangles into shared planes (those whose corners are within `tolerance` grid steps of the plane of a larger
-/// triangle join it), then merges those of one plane and one pair of sides across shared edges, while the union is
+/// triangle join it), then merges those of one plane, one pair of sides and one naming across shared edges, while the union is
 /// exactly convex and has at most 32 corners. Triangles without area are left out.
 std::vector<FlatPolygon> merge_coplanar(std::span<const GridTriangle> triangles, double tolerance);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <map>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -14,11 +16,15 @@ namespace hw {
 namespace {
 
 using Pieces = std::vector<PlanePolygon>;
+using Winding = std::vector<glm::dvec3>;
 
+/// Where two leaves touch, and what of it is open, for sight from the one and from the other.
 struct Contact {
-    PlanePolygon polygon;
+    std::size_t node = 0;
     int front_leaf = 0;
     int back_leaf = 0;
+    std::vector<Winding> backward;  ///< From the front leaf to the back leaf; metres.
+    std::vector<Winding> forward;
 };
 
 /// Hands a polygon down a subtree; calls arrive(piece, leaf).
@@ -84,7 +90,6 @@ Pieces uncovered(const BspBuild& build, const PlanePolygon& contact, const std::
     return pieces;
 }
 
-using Winding = std::vector<glm::dvec3>;
 
 /// Doubled area vector.
 glm::dvec3 area_vector(const Winding& winding)
@@ -143,42 +148,16 @@ Winding hull_of(Winding points, const glm::dvec3& normal)
     return hull;
 }
 
-struct Direction {
-    glm::dvec3 normal{0.0};
-    double offset = 0.0;
-    int from_leaf = 0;
-    int to_leaf = 0;
-};
-
-void add_portal(Winding winding, const Direction& way, PortalGraph& graph)
+/// The pieces as windings in metres; cracks are left out.
+std::vector<Winding> openings(const Pieces& pieces, const ExactPlane& plane, double step_m)
 {
-    if (glm::dot(area_vector(winding), way.normal) < 0.0) std::reverse(winding.begin(), winding.end());
-    graph.portals.push_back({way.from_leaf, way.to_leaf, way.normal, way.offset, std::move(winding)});
-}
-
-/// Turns what is left of one contact into portals: one hull where it is not much larger than the pieces.
-void add_portals(const Pieces& pieces, double step_m, const Direction& way, PortalGraph& graph)
-{
-    constexpr double kMostGrowth = 1.3;
-    constexpr std::size_t kMostPieces = 12;
-    std::vector<Winding> windings;
-    Winding all;
-    double total = 0.0;
+    std::vector<Winding> result;
     for (const PlanePolygon& piece : pieces) {
         Winding winding;
         for (const glm::dvec3& corner : piece.corners) winding.push_back(corner * step_m);
-        if (width_of(winding, way.normal) < kCrackWidth) continue;
-        total += glm::length(area_vector(winding));
-        all.insert(all.end(), winding.begin(), winding.end());
-        windings.push_back(std::move(winding));
+        if (width_of(winding, plane.unit_normal) >= kCrackWidth) result.push_back(std::move(winding));
     }
-    if (windings.size() > 1) {
-        Winding hull = hull_of(all, way.normal);
-        if (windings.size() > kMostPieces || glm::length(area_vector(hull)) <= kMostGrowth * total) {
-            windings = {std::move(hull)};
-        }
-    }
-    for (Winding& winding : windings) add_portal(std::move(winding), way, graph);
+    return result;
 }
 
 /// What bounds each leaf, square metres, and which leaves are open to each other both ways.
@@ -215,7 +194,6 @@ struct Surroundings {
     }
     std::vector<std::uint8_t> solid()
     {
-        constexpr double kFew = 0.01;
         std::vector<double> room_faces(faces.size());
         std::vector<double> room_backs(faces.size());
         for (std::size_t leaf = 0; leaf < faces.size(); ++leaf) {
@@ -226,9 +204,7 @@ struct Surroundings {
         std::vector<std::uint8_t> result(faces.size());
         for (std::size_t leaf = 0; leaf < faces.size(); ++leaf) {
             const std::size_t base = static_cast<std::size_t>(room_of(static_cast<int>(leaf)));
-            const bool is_room_solid = room_backs[base] > 0.0 && room_faces[base] <= kFew * room_backs[base];
-            const bool is_leaf_solid = backs[leaf] > 0.0 && faces[leaf] <= kFew * backs[leaf];
-            result[leaf] = is_room_solid || is_leaf_solid;
+            result[leaf] = room_faces[base] < room_backs[base] ? 1 : 0;
         }
         return result;
     }
@@ -241,31 +217,27 @@ double total_area(const Pieces& pieces)
     return sum;
 }
 
-void add_contact(const BspBuild& build, std::size_t node, const Contact& contact, Surroundings& surroundings,
-                 PortalGraph& graph)
+Contact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon& polygon, int front_leaf, int back_leaf,
+                     Surroundings& surroundings)
 {
     const ExactPlane& plane = build.tree.nodes[node].plane;
     const double step_m = build.tree.grid.step_m;
-    const double offset_m = plane.unit_offset * step_m;
     const std::vector<BlockingPolygon>& covers = build.polygons_of_node[node];
-    const Pieces backward = uncovered(build, contact.polygon, covers, true);
-    const Pieces forward = uncovered(build, contact.polygon, covers, false);
-    const std::size_t before = graph.portals.size();
-    add_portals(backward, step_m, {-plane.unit_normal, -offset_m, contact.front_leaf, contact.back_leaf}, graph);
-    const bool is_open_backward = graph.portals.size() > before;
-    const std::size_t between = graph.portals.size();
-    add_portals(forward, step_m, {plane.unit_normal, offset_m, contact.back_leaf, contact.front_leaf}, graph);
-    if (is_open_backward && graph.portals.size() > between) surroundings.join(contact.front_leaf, contact.back_leaf);
+    const Pieces backward = uncovered(build, polygon, covers, true);
+    const Pieces forward = uncovered(build, polygon, covers, false);
+    Contact contact{node, front_leaf, back_leaf, openings(backward, plane, step_m), openings(forward, plane, step_m)};
+    if (!contact.backward.empty() && !contact.forward.empty()) surroundings.join(front_leaf, back_leaf);
 
-    const double whole = area(contact.polygon);
+    const double whole = area(polygon);
     const double seen_from_front = whole - total_area(backward);
     const double seen_from_back = whole - total_area(forward);
-    surroundings.add(contact.front_leaf, seen_from_front, seen_from_back);
-    surroundings.add(contact.back_leaf, seen_from_back, seen_from_front);
+    surroundings.add(front_leaf, seen_from_front, seen_from_back);
+    surroundings.add(back_leaf, seen_from_back, seen_from_front);
+    return contact;
 }
 
 void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Surroundings& surroundings,
-              PortalGraph& graph)
+              std::vector<Contact>& contacts)
 {
     if (child < 0) return;
     const std::size_t index = static_cast<std::size_t>(child);
@@ -278,27 +250,110 @@ void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Sur
     const BspNode node = build.tree.nodes[index];
     push_down(build, node.front, std::move(polygon), [&](PlanePolygon in_front, int front_leaf) {
         push_down(build, node.back, std::move(in_front), [&](PlanePolygon piece, int back_leaf) {
-            add_contact(build, index, {std::move(piece), front_leaf, back_leaf}, surroundings, graph);
+            contacts.push_back(make_contact(build, index, piece, front_leaf, back_leaf, surroundings));
         });
     });
     ancestors.push_back({plane, false});
-    add_node(build, node.front, ancestors, surroundings, graph);
+    add_node(build, node.front, ancestors, surroundings, contacts);
     ancestors.back().is_flipped = true;
-    add_node(build, node.back, ancestors, surroundings, graph);
+    add_node(build, node.back, ancestors, surroundings, contacts);
     ancestors.pop_back();
+}
+
+/// Takes back what a sight line can get into after all: solid is only what nothing open leads to.
+void keep_unreachable(const std::vector<Contact>& contacts, std::vector<std::uint8_t>& is_solid)
+{
+    std::vector<std::vector<int>> open_to(is_solid.size());
+    for (const Contact& contact : contacts) {
+        if (!contact.backward.empty()) open_to[static_cast<std::size_t>(contact.front_leaf)].push_back(contact.back_leaf);
+        if (!contact.forward.empty()) open_to[static_cast<std::size_t>(contact.back_leaf)].push_back(contact.front_leaf);
+    }
+    std::vector<int> pending;
+    for (std::size_t leaf = 0; leaf < is_solid.size(); ++leaf) {
+        if (!is_solid[leaf]) pending.push_back(static_cast<int>(leaf));
+    }
+    while (!pending.empty()) {
+        const int leaf = pending.back();
+        pending.pop_back();
+        for (const int next : open_to[static_cast<std::size_t>(leaf)]) {
+            if (!is_solid[static_cast<std::size_t>(next)]) continue;
+            is_solid[static_cast<std::size_t>(next)] = 0;
+            pending.push_back(next);
+        }
+    }
+}
+
+/// Openings between two clusters in one node's plane.
+struct Passage {
+    std::size_t node = 0;
+    int from = 0;
+    int to = 0;
+    bool is_forward = false;
+    auto operator<=>(const Passage&) const = default;
+};
+
+/// Turns the openings of a passage into portals: their hull where it is not much larger than they are.
+void add_portals(const BspBuild& build, const Passage& passage, std::vector<Winding> windings, PortalGraph& graph)
+{
+    constexpr double kMostGrowth = 1.3;
+    constexpr std::size_t kMostPieces = 4;
+    const ExactPlane& plane = build.tree.nodes[passage.node].plane;
+    const double sign = passage.is_forward ? 1.0 : -1.0;
+    const glm::dvec3 normal = sign * plane.unit_normal;
+    if (windings.size() > 1) {
+        double total = 0.0;
+        Winding all;
+        for (const Winding& winding : windings) {
+            total += glm::length(area_vector(winding));
+            all.insert(all.end(), winding.begin(), winding.end());
+        }
+        Winding hull = hull_of(std::move(all), normal);
+        if (windings.size() > kMostPieces || glm::length(area_vector(hull)) <= kMostGrowth * total) {
+            windings = {std::move(hull)};
+        }
+    }
+    for (Winding& winding : windings) {
+        if (glm::dot(area_vector(winding), normal) < 0.0) std::reverse(winding.begin(), winding.end());
+        graph.portals.push_back({passage.from, passage.to, normal, sign * plane.unit_offset * build.tree.grid.step_m,
+                                 std::move(winding)});
+    }
+}
+
+PortalGraph cluster_portals(const BspBuild& build, std::vector<Contact> contacts)
+{
+    std::map<Passage, std::vector<Winding>> passages;
+    const auto collect = [&](const Passage& passage, std::vector<Winding>& windings) {
+        if (windings.empty()) return;
+        std::vector<Winding>& all = passages[passage];
+        std::move(windings.begin(), windings.end(), std::back_inserter(all));
+    };
+    const BspTree& tree = build.tree;
+    for (Contact& contact : contacts) {
+        const std::size_t front = static_cast<std::size_t>(contact.front_leaf);
+        const std::size_t back = static_cast<std::size_t>(contact.back_leaf);
+        if (build.is_detail_node[contact.node] || tree.is_solid[front] || tree.is_solid[back]) continue;
+        const int front_cluster = tree.cluster_of_leaf[front];
+        const int back_cluster = tree.cluster_of_leaf[back];
+        collect({contact.node, front_cluster, back_cluster, false}, contact.backward);
+        collect({contact.node, back_cluster, front_cluster, true}, contact.forward);
+    }
+    PortalGraph graph;
+    graph.leaf_count = tree.cluster_count;
+    for (auto& [passage, windings] : passages) add_portals(build, passage, std::move(windings), graph);
+    return graph;
 }
 
 }  // namespace
 
 PortalGraph build_portals(BspBuild& build)
 {
-    PortalGraph graph;
-    graph.leaf_count = build.tree.leaf_count;
     std::vector<SidePlane> ancestors;
-    Surroundings surroundings(graph.leaf_count);
-    if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, surroundings, graph);
-    graph.is_solid = surroundings.solid();
-    return graph;
+    std::vector<Contact> contacts;
+    Surroundings surroundings(build.tree.leaf_count);
+    if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, surroundings, contacts);
+    build.tree.is_solid = surroundings.solid();
+    keep_unreachable(contacts, build.tree.is_solid);
+    return cluster_portals(build, std::move(contacts));
 }
 
 }  // namespace hw

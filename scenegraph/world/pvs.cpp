@@ -11,47 +11,10 @@
 #include <tbb/task_arena.h>
 
 #include "core/progress.hpp"
-#include "world/winding.hpp"
+#include "world/flow_graph.hpp"
 
 namespace hw {
 namespace {
-
-using Words = std::vector<std::uint64_t>;
-
-void set_bit(Words& words, int bit) { words[static_cast<std::size_t>(bit) / 64] |= std::uint64_t{1} << (bit % 64); }
-
-bool has_bit(const Words& words, int bit)
-{
-    return (words[static_cast<std::size_t>(bit) / 64] >> (bit % 64) & 1) != 0;
-}
-
-int bit_count(const Words& words)
-{
-    int count = 0;
-    for (const std::uint64_t word : words) count += __builtin_popcountll(word);
-    return count;
-}
-
-/// A portal while it is worked on.
-struct FlowPortal {
-    int to_leaf = 0;
-    bool is_in_solid = false;
-    FlowPlane plane;
-    Winding winding;
-    Words sees;          ///< Leaves: coarse first; replaced by what the flow finds.
-};
-
-struct FlowGraph {
-    int leaf_count = 0;
-    std::vector<FlowPortal> portals;
-    std::vector<std::vector<int>> portals_out_of;  ///< By leaf.
-    ClipTolerance tolerance;
-};
-
-bool is_solid(const PortalGraph& graph, int leaf)
-{
-    return !graph.is_solid.empty() && graph.is_solid[static_cast<std::size_t>(leaf)] != 0;
-}
 
 FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
 {
@@ -64,7 +27,6 @@ FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
         flow.portals_out_of[static_cast<std::size_t>(portal.from_leaf)].push_back(static_cast<int>(flow.portals.size()));
         FlowPortal& made = flow.portals.emplace_back();
         made.to_leaf = portal.to_leaf;
-        made.is_in_solid = is_solid(graph, portal.from_leaf);
         made.plane = {portal.normal, portal.offset};
         made.winding = Winding(portal.winding);
     }
@@ -86,9 +48,9 @@ bool may_follow(const FlowPortal& first, const FlowPortal& later, double least)
            reaches_front(first.winding, {-later.plane.normal, -later.plane.offset}, least);
 }
 
-Words coarse_sight(const FlowGraph& graph, const FlowPortal& source)
+LeafBits coarse_sight(const FlowGraph& graph, const FlowPortal& source)
 {
-    Words seen((static_cast<std::size_t>(graph.leaf_count) + 63) / 64);
+    LeafBits seen((static_cast<std::size_t>(graph.leaf_count) + 63) / 64);
     std::vector<int> pending{source.to_leaf};
     set_bit(seen, source.to_leaf);
     while (!pending.empty()) {
@@ -111,7 +73,7 @@ struct Step {
     FlowPlane pass_plane;
     bool has_pass = false;
     int leaf = 0;
-    Words may_see;
+    LeafBits may_see;
 };
 
 /// The flow of one source portal.
@@ -126,7 +88,7 @@ class Flow {
     /// False if the budget ran out.
     bool run()
     {
-        set_bit(sees_, source_.to_leaf);
+        sees_ = surely_seen(graph_, source_);
         Step& first = step(0);
         first.source = source_.winding;
         first.leaf = source_.to_leaf;
@@ -134,7 +96,7 @@ class Flow {
         visit(0);
         return !is_over_budget();
     }
-    Words take() { return std::move(sees_); }
+    LeafBits take() { return std::move(sees_); }
     std::uint64_t cost() const { return cost_; }
 
  private:
@@ -207,15 +169,15 @@ class Flow {
     std::uint64_t budget_;
     std::uint64_t cost_ = 0;
     std::size_t words_;
-    Words sees_;
+    LeafBits sees_;
     std::vector<char> is_on_way_;
     std::vector<std::unique_ptr<Step>> steps_;
 };
 
 /// What a portal sees at most, given what the portals behind it are known to see.
-Words seen_through_next(const FlowGraph& graph, const FlowPortal& source)
+LeafBits seen_through_next(const FlowGraph& graph, const FlowPortal& source)
 {
-    Words result(source.sees.size());
+    LeafBits result(source.sees.size());
     set_bit(result, source.to_leaf);
     for (const int number : graph.portals_out_of[static_cast<std::size_t>(source.to_leaf)]) {
         const FlowPortal& portal = graph.portals[static_cast<std::size_t>(number)];
@@ -227,7 +189,7 @@ Words seen_through_next(const FlowGraph& graph, const FlowPortal& source)
 }
 
 struct Outcome {
-    Words sees;
+    LeafBits sees;
     std::uint64_t cost = 0;
     bool is_coarse = false;
 };
@@ -244,10 +206,8 @@ int flow_all(FlowGraph& graph, const PvsOptions& options)
 {
     constexpr std::size_t kSmallestBatch = 32;
     constexpr double kStepsPerSecond = 3e6;  // per thread, roughly; a count, not a clock, so that rows stay the same
-    std::vector<int> order;
-    for (std::size_t i = 0; i < graph.portals.size(); ++i) {
-        if (!graph.portals[i].is_in_solid) order.push_back(static_cast<int>(i));
-    }
+    std::vector<int> order(graph.portals.size());
+    std::iota(order.begin(), order.end(), 0);
     std::vector<int> sizes;
     for (const FlowPortal& portal : graph.portals) sizes.push_back(bit_count(portal.sees));
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -294,13 +254,9 @@ PvsResult build_pvs(const PortalGraph& graph, const PvsOptions& options)
     result.rows = LeafRows(graph.leaf_count);
     for (int leaf = 0; leaf < graph.leaf_count; ++leaf) {
         const std::span<std::uint64_t> row = result.rows.row(leaf);
-        if (is_solid(graph, leaf)) {
-            for (int seen = 0; seen < graph.leaf_count; ++seen) row[static_cast<std::size_t>(seen) / 64] |= std::uint64_t{1} << (seen % 64);
-            continue;
-        }
         row[static_cast<std::size_t>(leaf) / 64] |= std::uint64_t{1} << (leaf % 64);
         for (const int number : flow.portals_out_of[static_cast<std::size_t>(leaf)]) {
-            const Words& sees = flow.portals[static_cast<std::size_t>(number)].sees;
+            const LeafBits& sees = flow.portals[static_cast<std::size_t>(number)].sees;
             for (std::size_t word = 0; word < row.size(); ++word) row[word] |= sees[word];
         }
     }

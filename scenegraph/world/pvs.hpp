@@ -20,7 +20,6 @@ struct DirectedPortal {
 struct PortalGraph {
     int leaf_count = 0;
     std::vector<DirectedPortal> portals;
-    std::vector<std::uint8_t> is_solid;  ///< By leaf: inside of walls; such a leaf's row is everything. May be empty.
 };
 
 /// One bit for each pair of leaves: does the row's leaf see the other. Every leaf sees itself.

@@ -20,11 +20,11 @@ bool is_named(const std::string& pattern, std::size_t node, const Scene& scene)
     return glob_matches(pattern, scene.nodes[node].path);
 }
 
-/// For every node, whether it may be structure.
-std::vector<char> structural_nodes(const Scene& scene, const Level& level)
+/// For every node, whether the level names it as structure.
+std::vector<char> named_nodes(const Scene& scene, const Level& level)
 {
-    if (!level.structure) return std::vector<char>(scene.nodes.size(), 1);
     std::vector<char> result(scene.nodes.size(), 0);
+    if (!level.structure) return result;
     for (std::size_t entry = 0; entry < level.structure->size(); ++entry) {
         bool is_used = false;
         for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -45,7 +45,8 @@ std::vector<char> structural_nodes(const Scene& scene, const Level& level)
     return result;
 }
 
-void add_object(const Scene& scene, ObjectId id, const Grid& grid, std::vector<GridTriangle>& triangles)
+void add_object(const Scene& scene, ObjectId id, const Grid& grid, bool is_named,
+                std::vector<GridTriangle>& triangles)
 {
     const Object& object = scene.objects[id];
     const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
@@ -61,6 +62,7 @@ void add_object(const Scene& scene, ObjectId id, const Grid& grid, std::vector<G
         }
         if (is_mirrored) std::swap(triangle.corners[1], triangle.corners[2]);
         triangle.is_double_sided = is_double_sided;
+        triangle.is_named = is_named;
         triangles.push_back(triangle);
     }
 }
@@ -80,7 +82,7 @@ double largest_side(const Box& box)
 }
 
 /// The planes of the polygons; the area in each is what counts: a wall may be made of many small panels.
-void choose_splitters(std::vector<FlatPolygon>& polygons, const Level& level, const StructureOptions& options,
+void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, const StructureOptions& options,
                       Structure& structure)
 {
     const double square_m = structure.grid.step_m * structure.grid.step_m;
@@ -97,15 +99,20 @@ void choose_splitters(std::vector<FlatPolygon>& polygons, const Level& level, co
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return plane_area(a) != plane_area(b) ? plane_area(a) > plane_area(b) : polygons[a].area > polygons[b].area;
     });
-    const double least = level.structure ? 0.0 : options.least_area_share * structure.scene_side_m2 / square_m;
+    const double least = options.least_area_share * structure.scene_side_m2 / square_m;
+    const double least_named = 0.1 * least;
+    const std::size_t most = static_cast<std::size_t>(options.max_structure) + static_cast<std::size_t>(options.max_details);
+    structure.left_out = static_cast<int>(order.size() - std::min(order.size(), most));
+    order.resize(std::min(order.size(), most));
     for (const std::size_t i : order) {
         const FlatPolygon& flat = polygons[i];
         BlockingPolygon polygon;
         polygon.polygon = polygon_over_ring(structure.planes, planes[i].plane, flat.ring);
         polygon.blocks_from_front = planes[i].is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
         polygon.blocks_from_back = planes[i].is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
-        polygon.is_splitter = plane_area(i) >= least && structure.splitters < options.max_splitters;
-        structure.splitters += polygon.is_splitter;
+        const bool may_split = level.structure ? flat.is_named && plane_area(i) >= least_named : plane_area(i) >= least;
+        polygon.is_detail = !may_split || structure.structure_count >= options.max_structure;
+        structure.structure_count += !polygon.is_detail;
         structure.area_m2 += area(polygon.polygon) * square_m;
         structure.polygons.push_back(std::move(polygon));
     }
@@ -125,17 +132,17 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
     set_box(structure, scene.bounds_world);
     structure.scene_side_m2 = largest_side(scene.bounds_world);
 
-    const std::vector<char> is_structural = structural_nodes(scene, level);
+    const std::vector<char> is_named_node = named_nodes(scene, level);
     std::vector<GridTriangle> triangles;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const Object& object = scene.objects[id];
         const std::size_t node = static_cast<std::size_t>(object.node);
-        if (!is_structural[node] || scene.nodes[node].is_animated) continue;
+        if (scene.nodes[node].is_animated) continue;
         if (scene.materials[static_cast<std::size_t>(object.material)].alpha_mode != AlphaMode::opaque) continue;
-        add_object(scene, id, structure.grid, triangles);
+        add_object(scene, id, structure.grid, is_named_node[node] != 0, triangles);
     }
     std::vector<FlatPolygon> polygons = merge_coplanar(triangles, 1e-5 / structure.grid.step_m);
-    choose_splitters(polygons, level, options, structure);
+    choose_polygons(polygons, level, options, structure);
     return structure;
 }
 

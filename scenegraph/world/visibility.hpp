@@ -16,9 +16,10 @@ namespace hw {
 /// How the potentially visible set is made. Every choice is conservative.
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
-    int max_structure_polygons = 3000;  ///< Budget of the automatic choice; the largest polygons win.
-    double least_area_share = 1e-3;     ///< Least area in one plane, of the largest side of the scene's box.
-    int max_leaves = 6000;              ///< Past this the smallest structure polygons are left out.
+    int max_structure_polygons = 1500;  ///< The largest planes win; what does not is detail.
+    int max_detail_polygons = 40000;    ///< Details past this do not block.
+    double least_area_share = 3e-3;     ///< Least area in one plane, of the largest side of the scene's box.
+    int max_clusters = 3000;            ///< Past this the smallest structure polygons become details.
     double flow_seconds = 20.0;         ///< Rough time after which portals keep their coarse answer; 0: no limit.
     int threads = 0;                    ///< 0: as many as the machine has.
 };
@@ -31,29 +32,31 @@ struct ChunkSlot {
 
 struct VisibilityStats {
     int structure_polygons = 0;
+    int detail_polygons = 0;
     int leaves = 0;
     int solid_leaves = 0;                ///< Inside of walls: an eye there sees everything.
+    int clusters = 0;
     int portals = 0;
     int coarse_portals = 0;              ///< Portals whose flow ran out of budget and kept the coarse answer.
-    double average_visible_share = 1.0;  ///< Triangles in a row over all, mean over the leaves not solid.
+    double average_visible_share = 1.0;  ///< Triangles in a row over all, mean over the clusters that are not solid.
     double seconds = 0.0;
 };
 
-/// What can be seen from where: a BSP over the structure, and for each of its leaves the chunks to draw.
+/// What can be seen from where: a BSP over the structure, and for each of its clusters the chunks to draw.
 struct Visibility {
     BspTree tree;
-    LeafRows rows;
+    LeafRows rows;                 ///< By cluster.
     std::vector<ChunkSlot> slots;  ///< Objects in order, then their chunks.
     std::vector<std::uint32_t> first_slot_of_object;  ///< One more than there are objects.
-    std::vector<std::uint32_t> first_in_leaf;         ///< Into slots_of_leaf; one more than there are leaves.
-    std::vector<std::uint32_t> slots_of_leaf;         ///< The slots that touch each leaf, ascending.
+    std::vector<std::uint32_t> first_in_cluster;      ///< Into slots_of_cluster; one more than there are clusters.
+    std::vector<std::uint32_t> slots_of_cluster;      ///< The slots that touch each cluster, ascending.
     VisibilityStats stats;
 };
 
 /// Compiles the visibility of a scene.
 ///
-/// Structure is what Level::structure names, else the largest opaque, static polygons (coplanar triangles are merged
-/// only where their union is exactly convex). Never mask, blend or animated. A surface blocks only from the sides from
+/// Structure is what Level::structure names, else what lies in the largest planes; see choose_structure(). Only opaque and
+/// static triangles block, never mask, blend or animated ones. A surface blocks only from the sides from
 /// which it is drawn: a single-sided wall seen from behind is transparent, so what lies before it is seen from there.
 /// Unsealed and empty scenes work: outside is leaves like any other. Never hides what can be seen through an opening
 /// wider than kCrackWidth; where a budget runs out, more is visible, never less.
@@ -62,11 +65,11 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
                             const VisibilityOptions& options);
 
 /// Sets `is_visible` to one byte per slot: 1 if the chunk may be seen by an eye within `near_radius_m` of `eye_world` (the
-/// near plane pokes through walls). An eye outside of the compiled box sees everything.
+/// near plane pokes through walls). An eye inside of a wall or outside of the compiled box sees everything.
 void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m,
                     std::vector<std::uint8_t>& is_visible_by_chunk_slot);
 
-/// Leaves in the union of the rows that visible_chunks() reads at that place, for statistics.
-int visible_leaf_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m);
+/// Clusters in the union of the rows that visible_chunks() reads at that place, for statistics.
+int visible_cluster_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m);
 
 }  // namespace hw
