@@ -206,7 +206,7 @@ void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, d
     visit_bits(seen, [&](int cluster) { show_cluster(visibility, cluster, is_visible_by_chunk_slot); });
 }
 
-int visible_cluster_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m)
+int visible_leaf_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m)
 {
     const std::vector<std::uint64_t> seen = seen_clusters(visibility, eye_world, near_radius_m);
     if (seen.empty()) return visibility.tree.cluster_count;

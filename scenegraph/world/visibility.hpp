@@ -69,7 +69,7 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
 void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m,
                     std::vector<std::uint8_t>& is_visible_by_chunk_slot);
 
-/// Clusters in the union of the rows that visible_chunks() reads at that place, for statistics.
-int visible_cluster_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m);
+/// Clusters (merged leaves) in the union of the rows that visible_chunks() reads at that place, for statistics.
+int visible_leaf_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m);
 
 }  // namespace hw
