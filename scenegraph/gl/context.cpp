@@ -9,10 +9,11 @@
 namespace hw {
 namespace {
 
-void GLAPIENTRY keep_message(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
+void GLAPIENTRY keep_message(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
                              const void* messages)
 {
-    if (type != GL_DEBUG_TYPE_ERROR) return;
+    // What the shader compiler says arrives as hw::Error.
+    if (type != GL_DEBUG_TYPE_ERROR || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     auto* list = static_cast<std::vector<std::string>*>(const_cast<void*>(messages));
     if (list->size() < 100) list->emplace_back(text, length < 0 ? std::string::npos : static_cast<std::size_t>(length));
 }

@@ -126,41 +126,42 @@ int GpuProgram::unit(std::string_view sampler) const
     return found == units_.end() ? -1 : found->second;
 }
 
+// A uniform that the program does not use has no location; GL takes -1, but only while a program is in use.
 void GpuProgram::set(int location, float value)
 {
-    glUniform1f(location, value);
+    if (location >= 0) glUniform1f(location, value);
 }
 void GpuProgram::set(int location, int value)
 {
-    glUniform1i(location, value);
+    if (location >= 0) glUniform1i(location, value);
 }
 void GpuProgram::set(int location, const glm::vec2& value)
 {
-    glUniform2fv(location, 1, &value[0]);
+    if (location >= 0) glUniform2fv(location, 1, &value[0]);
 }
 void GpuProgram::set(int location, const glm::vec3& value)
 {
-    glUniform3fv(location, 1, &value[0]);
+    if (location >= 0) glUniform3fv(location, 1, &value[0]);
 }
 void GpuProgram::set(int location, const glm::vec4& value)
 {
-    glUniform4fv(location, 1, &value[0]);
+    if (location >= 0) glUniform4fv(location, 1, &value[0]);
 }
 void GpuProgram::set(int location, const glm::mat3& value)
 {
-    glUniformMatrix3fv(location, 1, GL_FALSE, glm::value_ptr(value));
+    if (location >= 0) glUniformMatrix3fv(location, 1, GL_FALSE, glm::value_ptr(value));
 }
 void GpuProgram::set(int location, const glm::mat4& value)
 {
-    glUniformMatrix4fv(location, 1, GL_FALSE, glm::value_ptr(value));
+    if (location >= 0) glUniformMatrix4fv(location, 1, GL_FALSE, glm::value_ptr(value));
 }
 void GpuProgram::set(int location, std::span<const float> values)
 {
-    glUniform1fv(location, static_cast<GLsizei>(values.size()), values.data());
+    if (location >= 0) glUniform1fv(location, static_cast<GLsizei>(values.size()), values.data());
 }
 void GpuProgram::set(int location, std::span<const glm::vec3> values)
 {
-    glUniform3fv(location, static_cast<GLsizei>(values.size()), &values[0].x);
+    if (location >= 0) glUniform3fv(location, static_cast<GLsizei>(values.size()), &values[0].x);
 }
 
 }  // namespace hw

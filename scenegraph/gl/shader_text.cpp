@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <regex>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -113,18 +114,26 @@ std::string located_message(const std::string& log, const ShaderText& shader)
 {
     // Mesa: "2:14(5): error: text"; NVIDIA: "2(14) : error C1: text"; others: "ERROR: 2:14: text".
     static const std::regex place(R"((\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?(.*))");
+    std::istringstream lines(log);
+    std::string line;
     std::string first_line;
-    for (std::size_t start = 0; start < log.size();) {
-        const std::size_t end = std::min(log.find('\n', start), log.size());
-        const std::string line = log.substr(start, end - start);
-        start = end + 1;
+    std::string number;
+    std::string message;
+    std::size_t file = 0;
+    while (std::getline(lines, line)) {
         if (first_line.empty()) first_line = line;
         std::smatch match;
-        if (line.find("rror") == std::string::npos || !std::regex_search(line, match, place)) continue;
-        const std::size_t file = std::min<std::size_t>(std::stoul(match[1]), shader.files.size() - 1);
-        const std::string number = match[2].matched ? match[2] : match[3];
-        return shader.files[file].string() + ":" + number + ": " + match[4].str();
+        const bool is_error = line.find("rror") != std::string::npos || line.find("ERROR") != std::string::npos;
+        if (!is_error || !std::regex_search(line, match, place)) continue;
+        const std::string own_number = match[2].matched ? match[2] : match[3];
+        // Mesa forgets the file of an unknown name, but tells it in the error that follows from it on the same line.
+        if (!message.empty() && own_number != number) break;
+        if (message.empty()) message = match[4];
+        number = own_number;
+        file = std::min<std::size_t>(std::stoul(match[1]), shader.files.size() - 1);
+        if (file != 0) break;
     }
+    if (!message.empty()) return shader.files[file].string() + ":" + number + ": " + message;
     return (shader.files.size() > 1 ? shader.files[1].string() : "shader") + ": " + first_line;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "render/font.hpp"
@@ -64,7 +65,8 @@ void OverlayDrawer::draw(const Overlay& overlay, glm::ivec2 size_px, float px_sc
 glm::vec4 OverlayDrawer::target_colour(const glm::vec4& srgb) const
 {
     if (colours_ == TargetColours::as_stored) return srgb;
-    return glm::vec4(linear_from_srgb(glm::vec3(srgb)), srgb.a);
+    // Blended in linear light a dark background would look thin: cover as much as it would in sRGB.
+    return glm::vec4(linear_from_srgb(glm::vec3(srgb)), 1.0f - std::pow(1.0f - srgb.a, 2.2f));
 }
 
 void OverlayDrawer::add_rectangle(const Rectangle& r, const glm::vec4& colour)

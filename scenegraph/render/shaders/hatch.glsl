@@ -14,17 +14,16 @@ float hw_hash(float key, uint salt)
     return float(((h >> 22u) ^ h) >> 8u) * (1.0 / 16777216.0);
 }
 
-// Splits the distance between two things on the surface into a power of two, `cell`, and the share of the octave, `f`.
-float hw_octave(float wanted, out float f)
+// The largest power of two not above `wanted`, the distance between two things on the surface that suits the screen.
+// `thinning` is what each second thing keeps of its size, from 1 to 0 over the octave: 2 cell / wanted - 1 keeps the sum
+// constant, since the spacing on the screen shrinks as wanted / cell grows.
+float hw_octave(float wanted, out float thinning)
 {
-    float level = log2(clamp(wanted, 1e-12, 1e12));
-    f = fract(level);
-    return exp2(floor(level));
+    float safe = clamp(wanted, 1e-12, 1e12);
+    float cell = uintBitsToFloat(floatBitsToUint(safe) & 0x7f800000u);
+    thinning = 2.0 * cell / safe - 1.0;
+    return cell;
 }
-
-// The size of what each second thing keeps, from 1 to 0 over an octave: 2^(1-f) - 1 keeps the sum constant, since the
-// spacing on the screen shrinks by 2^-f.
-float hw_thinning(float f) { return exp2(1.0 - f) - 1.0; }
 
 // Ink of a line `width` device pixels wide whose middle is `distance` device pixels away: a box filter one pixel wide.
 float hw_line_ink(float width, float distance) { return clamp(0.5 * width + 0.5 - distance, 0.0, min(width, 1.0)); }
@@ -37,33 +36,37 @@ struct HwHand {
     float pressure;   // 0 to 1, change of width along the stroke
 };
 
+// A smooth wave of period 1 in [-1, 1], cheaper than a sine.
+float hw_wave(float x)
+{
+    float t = 2.0 * fract(x) - 1.0;
+    return 4.0 * t * (1.0 - abs(t));
+}
+
 // Ink of parallel strokes. `st`: across and along the strokes, on the surface, metres; st_dx and st_dy its derivatives in the
 // picture. `tone` is the ink coverage that is wanted, at most 1.
 float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, HwHand hand)
 {
     float across = max(length(vec2(st_dx.x, st_dy.x)), 1e-12);  // metres per device pixel
-    float along = max(length(vec2(st_dx.y, st_dy.y)), 1e-12);
-    float f;
-    float cell = hw_octave(spacing_px * hw_px_scale * across, f);
+    float thinning;
+    float cell = hw_octave(spacing_px * hw_px_scale * across, thinning);
     float index = floor(st.x / cell + 0.5);
     float line = index * cell;
-    bool is_odd = fract(index * 0.5) > 0.25;
-    float width = tone * spacing_px * hw_px_scale * (is_odd ? hw_thinning(f) : 1.0);
+    float width = tone * spacing_px * hw_px_scale * (fract(index * 0.5) > 0.25 ? thinning : 1.0);
     float offset = 0.0;
     if (hand.length_px > 0.0) {
-        float g;
-        float piece = hw_octave(hand.length_px * hw_px_scale * along, g);
-        float t = st.y + 64.0 * hw_hash(line, 1u);
-        float end_index = floor(t / piece + 0.5);
-        float to_end = abs(t - end_index * piece) / (along * hw_px_scale);
-        float taper = smoothstep(0.5 * hand.gap_px, 3.0 * hand.gap_px, to_end);
-        bool is_odd_end = fract(end_index * 0.5) > 0.25;
-        taper = mix(1.0, taper, is_odd_end ? hw_thinning(g) : 1.0);
-        float phase = 6.2831853 * hw_hash(line, 2u);
-        float wave = mix(sin(t / piece * 4.3 + phase), sin(t / piece * 2.15 + phase), g);
-        // The share of a stroke that gap and taper take away, given back as width so that tone stays what was asked.
-        float kept = 1.0 - clamp(3.5 * hand.gap_px / hand.length_px, 0.0, 0.5) * (0.5 + 0.5 * hw_thinning(g));
-        width *= taper / kept * (1.0 + hand.pressure * wave);
+        float along = max(length(vec2(st_dx.y, st_dy.y)), 1e-12);
+        float end_thinning;
+        float piece = hw_octave(hand.length_px * hw_px_scale * along, end_thinning);
+        float random = hw_hash(line, 1u);
+        float t = st.y / piece + 64.0 * random / piece;
+        float end_index = floor(t + 0.5);
+        float to_end = abs(t - end_index) * piece / (along * hw_px_scale * hand.gap_px);
+        float taper = clamp(to_end * 0.4 - 0.2, 0.0, 1.0);
+        taper = fract(end_index * 0.5) > 0.25 ? mix(1.0, taper, end_thinning) : taper;
+        float wave = mix(hw_wave(0.35 * t + random), hw_wave(0.7 * t + random), end_thinning);
+        // Tapers take away three gaps of each stroke; as width they are given back, so that tone stays what was asked.
+        width *= taper * (1.0 + min(3.0 * hand.gap_px / hand.length_px, 0.5)) * (1.0 + hand.pressure * wave);
         offset = hand.wobble_px * hw_px_scale * wave;
     }
     return hw_line_ink(width, abs((st.x - line) / across + offset));
@@ -76,22 +79,21 @@ const vec2 kHwUp = vec2(1.0, -1.0);
 const vec2 kHwUp = vec2(1.0, 1.0);
 #endif
 
-// Turns coordinates and their derivatives: x runs across strokes of direction `angle` (radians, 0: along u).
-void hw_turn(float angle, vec2 uv, vec2 dx, vec2 dy, out vec2 st, out vec2 st_dx, out vec2 st_dy)
+// Ink of strokes along `direction` (unit, right and up on the surface).
+float hw_strokes_along(HwSurface s, vec2 direction, float spacing_px, float tone, HwHand hand)
 {
-    float c = cos(angle);
-    float s = sin(angle);
-    mat2 turn = mat2(-s, c, c, s);
-    st = turn * uv;
-    st_dx = turn * dx;
-    st_dy = turn * dy;
+    vec2 along = direction * kHwUp;
+    vec2 across = vec2(-direction.y, direction.x) * kHwUp;
+    return hw_strokes(vec2(dot(s.hatch_uv, across), dot(s.hatch_uv, along)),
+                      vec2(dot(s.hatch_uv_dx, across), dot(s.hatch_uv_dx, along)),
+                      vec2(dot(s.hatch_uv_dy, across), dot(s.hatch_uv_dy, along)), spacing_px, tone, hand);
 }
 
 struct HwHatching {
-    float spacing_px;   // between strokes of one direction where it is full
-    float width_px;     // of a stroke
-    float angle;        // radians, of the first direction
-    float cross_angle;  // radians, from the first direction to the second
+    float spacing_px;      // between strokes of one direction where it is full
+    float width_px;        // of a stroke
+    vec2 direction;        // unit, right and up on the surface
+    vec2 cross_direction;  // unit
     HwHand hand;
 };
 
@@ -102,20 +104,21 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
 {
     float full = clamp(h.width_px / h.spacing_px, 0.02, 0.9);  // ink of a direction whose strokes are closest
     float wanted = 1.0 - clamp(tone, 0.0, 0.98);               // paper that stays
-    float mean = 1.0;
-    float paper = 1.0;
-    for (int layer = 0; layer < 3; ++layer) {
-        float ink = 1.0 - wanted / mean;
-        if (ink < 0.004) break;
-        if (layer < 2) ink = min(ink, full);
-        float turned = layer == 2 ? 0.38 * h.cross_angle : float(layer) * h.cross_angle;
-        vec2 st, st_dx, st_dy;
-        hw_turn(h.angle + turned, s.hatch_uv * kHwUp, s.hatch_uv_dx * kHwUp, s.hatch_uv_dy * kHwUp, st, st_dx, st_dy);
-        float spacing = h.spacing_px * clamp(full / ink, 1.0, 4.0);
-        paper *= 1.0 - hw_strokes(st, st_dx, st_dy, spacing, ink, h.hand);
-        mean *= 1.0 - ink;
-    }
-    return 1.0 - paper;
+    float ink = 1.0 - wanted;
+    if (ink < 0.004) return 0.0;
+    float first = min(ink, full);
+    float paper = 1.0 - hw_strokes_along(s, h.direction, h.spacing_px * clamp(full / first, 1.0, 2.5), first, h.hand);
+    float mean = 1.0 - first;
+    ink = 1.0 - wanted / mean;
+    if (ink < 0.004) return 1.0 - paper;
+    float second = min(ink, full);
+    float spacing = h.spacing_px * clamp(full / second, 1.0, 2.0);
+    paper *= 1.0 - hw_strokes_along(s, h.cross_direction, spacing, second, h.hand);
+    mean *= 1.0 - second;
+    ink = 1.0 - wanted / mean;
+    if (ink < 0.004) return 1.0 - paper;
+    spacing = h.spacing_px * clamp(full / ink, 1.0, 2.0);
+    return 1.0 - paper * (1.0 - hw_strokes_along(s, normalize(h.direction + h.cross_direction), spacing, ink, h.hand));
 }
 
 // Ink of a map, blended between the two levels nearest to `level`. Each level was drawn by its maker, so levels are chosen

@@ -1,35 +1,45 @@
 // The drawing of one surface in pen and ink, shared by styles that draw in ink. Include after hatch.glsl and lighting.glsl.
-// Defines of the program: TONE_PLAIN (even hatching by the hatch map) or TONE_SHADED (hatching by light and shadow).
+// Defines of the program: TONE_PLAIN (even hatching by the hatch map) or TONE_SHADED (hatching by light and shadow);
+// MATERIAL_COLOUR (paper or ink take colour from the material).
 
-uniform vec4 hatch_size_px;    // spacing, stroke width, stroke length, wobble: logical pixels
-uniform vec2 hatch_angles;     // first direction and cross angle, radians
-uniform vec4 tone_range;       // darkness, white from, shadow below, share of the material's tone
-uniform vec3 paper_colour;     // sRGB
-uniform vec3 ink_colour;       // sRGB
-uniform vec3 uncertain_colour; // sRGB
-uniform vec2 from_material;    // share of the material's colour in the paper's and in the ink's
+uniform vec4 hatch_size_px;      // spacing, stroke width, stroke length, wobble: logical pixels
+uniform vec4 hatch_directions;   // xy the first, zw the crossing direction: unit, right and up on the surface
+uniform vec4 tone_range;         // darkness, white from, shadow below, share of the material's tone
+uniform vec3 paper_colour;       // linear, as all colours here
+uniform vec3 ink_colour;
+uniform vec3 uncertain_colour;
+uniform vec2 from_material;      // share of the material's colour in the paper's and in the ink's; with MATERIAL_COLOUR
 uniform float shade;
 uniform float ink_map_strength;
 
+// The mean colour of the material: its texture's coarsest level.
+vec3 hw_mean_colour()
+{
+#ifdef HW_BASE_COLOUR_MAP
+    return hw_base_colour_factor.rgb * textureLod(hw_base_colour_map, vec2(0.5), 20.0).rgb;
+#else
+    return hw_base_colour_factor.rgb;
+#endif
+}
+
 // Ink coverage that light of this tone (0 to 1) asks for on this material.
-float hw_ink_of_light(HwMaterial material, float light)
+float hw_ink_of_light(float light)
 {
     float lit = smoothstep(tone_range.z, tone_range.y, light);
-    float albedo = sqrt(clamp(hw_luminance(material.base_colour), 0.0, 1.0));
+    float albedo = sqrt(clamp(hw_luminance(hw_mean_colour()), 0.0, 1.0));
     float white = mix(1.0, min(albedo * 1.4, 1.0), tone_range.w);
     return tone_range.x * (1.0 - lit * white);
 }
 
-float hw_hatching(HwSurface surface, HwMaterial material, float light)
+float hw_hatching(HwSurface surface, float light)
 {
-    float angle = hatch_angles.x;
 #ifdef TONE_SHADED
     HwHand hand = HwHand(hatch_size_px.z, 5.0, hatch_size_px.w, 0.18);
-    HwHatching hatching = HwHatching(hatch_size_px.x, hatch_size_px.y, angle, hatch_angles.y, hand);
-    return hw_tonal_hatching(surface, hatching, hw_ink_of_light(material, light));
+    HwHatching hatching = HwHatching(hatch_size_px.x, hatch_size_px.y, hatch_directions.xy, hatch_directions.zw, hand);
+    return hw_tonal_hatching(surface, hatching, hw_ink_of_light(light));
 #else
 #if defined(TONE_PLAIN) && defined(HW_HATCH_MAP)
-    vec2 across = vec2(-sin(angle), cos(angle)) * kHwUp;
+    vec2 across = vec2(-hatch_directions.y, hatch_directions.x) * kHwUp;
     float u = dot(surface.hatch_uv, across);
     vec2 u_d = vec2(dot(surface.hatch_uv_dx, across), dot(surface.hatch_uv_dy, across));
     return hw_hatch_map_ink(hw_hatch_map, hw_hatch_info, u, u_d, hatch_size_px.x);
@@ -58,10 +68,13 @@ vec3 hw_pen_and_ink(HwSurface surface, HwMaterial material)
 #else
     if (shade > 0.0) light = hw_light_tone(surface, surface.normal_world);
 #endif
-    vec3 paper = mix(hw_linear(uncertain_colour), hw_linear(paper_colour), hw_certainty);
+    vec3 paper = mix(uncertain_colour, paper_colour, hw_certainty);
+    vec3 ink = ink_colour;
+#ifdef MATERIAL_COLOUR
     paper = mix(paper, material.base_colour, from_material.x);
+    ink = mix(ink, 0.35 * material.base_colour, from_material.y);
+#endif
     paper *= mix(1.0, 0.25 + 0.75 * light * light, shade);
-    vec3 ink = mix(hw_linear(ink_colour), 0.35 * material.base_colour, from_material.y);
-    float coverage = 1.0 - (1.0 - hw_hatching(surface, material, light)) * (1.0 - hw_ink_map_detail(surface));
+    float coverage = 1.0 - (1.0 - hw_hatching(surface, light)) * (1.0 - hw_ink_map_detail(surface));
     return mix(paper, ink, coverage);
 }

@@ -2,17 +2,9 @@
 // candela per square metre; hw_display() makes colours of the picture of it.
 
 const float kHwPi = 3.14159265;
-
-// The luminance that the picture's exposure shows as middle white, before the tone curve: hw_exposure is its inverse.
 const vec3 kHwLuminanceWeights = vec3(0.2126, 0.7152, 0.0722);
 
 float hw_luminance(vec3 colour_linear) { return dot(colour_linear, kHwLuminanceWeights); }
-
-// Colours in level files are sRGB.
-vec3 hw_linear(vec3 srgb)
-{
-    return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
-}
 
 // Light i at the surface: illuminance of a face that looks at it, lux. `to_light` is unit.
 vec3 hw_illuminance(HwSurface s, int i, out vec3 to_light)
@@ -38,22 +30,29 @@ vec3 hw_illuminance(HwSurface s, int i, out vec3 to_light)
     return hw_light_colour[i].rgb * falloff;
 }
 
-// Light from all around, luminance: what a matte white face with this normal reflects of it. Ground light fades in
-// softly below the horizon, so that no face is black.
+// The index of the main light, the one with a shadow; 0 when there is none.
+int hw_main_light() { return int(hw_shadow_params.z + 0.5); }
+
+// Light from all around, luminance: what a matte white face with this normal reflects of it. The brightest part of the sky
+// is the sun's side, so that what lies in shadow still shows its form; ground light keeps faces from being black.
 vec3 hw_ambient(vec3 normal_world)
 {
-    float up = 0.5 + 0.5 * normal_world.y;
-    return mix(hw_ambient_ground.rgb, hw_ambient_sky.rgb, up * up * (3.0 - 2.0 * up));
+#if HW_LIGHT_COUNT > 0
+    vec3 brightest = vec3(0.0, 0.75, 0.0) - 0.5 * hw_light_direction[hw_main_light()].xyz;
+#else
+    vec3 brightest = vec3(0.0, 1.0, 0.0);
+#endif
+    float up = clamp(0.5 + 0.5 * dot(normal_world, brightest), 0.0, 1.0);
+    return mix(hw_ambient_ground.rgb, hw_ambient_sky.rgb, up);
 }
 
 // The surroundings as a mirror of some roughness sees them: ground, a bright band at the horizon, sky. Luminance.
 vec3 hw_surroundings(vec3 direction, float roughness)
 {
     float blur = mix(0.06, 0.9, roughness);
-    float sky = smoothstep(-blur, blur, direction.y);
-    float horizon = exp(-abs(direction.y) * 6.0) * (1.0 - roughness);
-    vec3 zenith = hw_ambient_sky.rgb * mix(1.25, 1.0, roughness);
-    return mix(hw_ambient_ground.rgb, mix(zenith, vec3(hw_luminance(zenith)) * 1.5, horizon), sky);
+    float sky = clamp(0.5 + 0.5 * direction.y / blur, 0.0, 1.0);
+    float horizon = max(1.0 - 2.5 * abs(direction.y), 0.0) * (1.0 - roughness);
+    return mix(hw_ambient_ground.rgb, hw_ambient_sky.rgb * (1.0 + 0.5 * horizon), sky);
 }
 
 // GGX with Smith's visibility in Hammon's approximation, and Schlick's Fresnel term.
@@ -67,8 +66,18 @@ vec3 hw_specular(vec3 n, vec3 to_eye, vec3 to_light, vec3 f0, float alpha)
     float d = n_h * n_h * (a2 - 1.0) + 1.0;
     float distribution = a2 / (kHwPi * d * d);
     float visibility = 0.5 / max(mix(2.0 * n_l * n_v, n_l + n_v, alpha), 1e-4);
-    vec3 fresnel = f0 + (1.0 - f0) * pow(clamp(1.0 - dot(to_eye, h), 0.0, 1.0), 5.0);
+    float away = clamp(1.0 - dot(to_eye, h), 0.0, 1.0);
+    float away_squared = away * away;
+    vec3 fresnel = f0 + (1.0 - f0) * (away_squared * away_squared * away);
     return fresnel * (distribution * visibility);
+}
+
+// Light i on a face with this normal, in the main light's shadow: lux.
+vec3 hw_direct(HwSurface s, vec3 normal_world, int i, out vec3 to_light)
+{
+    vec3 illuminance = hw_illuminance(s, i, to_light) * max(dot(normal_world, to_light), 0.0);
+    if (i == hw_main_light() && hw_shadow_params.w > 0.5 && illuminance.g > 0.0) illuminance *= hw_shadow(s);
+    return illuminance;
 }
 
 // What the material sends to the eye, luminance.
@@ -82,13 +91,12 @@ vec3 hw_lit(HwSurface s, HwMaterial m)
     float alpha = roughness * roughness;
     vec3 f0 = mix(vec3(0.04), m.base_colour, m.metallic);
     vec3 diffuse = m.base_colour * (1.0 - m.metallic);
-    int main_light = int(hw_shadow_params.z + 0.5);
     vec3 result = m.emissive / hw_exposure;
     for (int i = 0; i < HW_LIGHT_COUNT; ++i) {
         vec3 to_light;
-        vec3 illuminance = hw_illuminance(s, i, to_light) * max(dot(n, to_light), 0.0);
-        if (i == main_light && hw_shadow_params.w > 0.5) illuminance *= hw_shadow(s);
-        result += illuminance * (diffuse / kHwPi + hw_specular(n, s.to_eye_world, to_light, f0, alpha));
+        vec3 illuminance = hw_direct(s, n, i, to_light);
+        if (hw_luminance(illuminance) > 0.0)
+            result += illuminance * (diffuse / kHwPi + hw_specular(n, s.to_eye_world, to_light, f0, alpha));
     }
     float n_v = clamp(dot(n, s.to_eye_world), 0.0, 1.0);
     // Karis' fit of the split-sum table: reflection of an even surrounding by a rough surface.
@@ -113,17 +121,14 @@ vec3 hw_display(vec3 luminance)
 }
 
 // How light a matte white face would look here, 0 to 1, even to the eye (a gray of the picture, not linear light): what
-// hatching, cartoon steps and shade go by. `shadow_depth`: 1 lets the main light's shadow count in full.
+// hatching, cartoon steps and shade go by.
 float hw_light_tone(HwSurface s, vec3 normal_world)
 {
     vec3 luminance = hw_ambient(normal_world);
-    int main_light = int(hw_shadow_params.z + 0.5);
     for (int i = 0; i < HW_LIGHT_COUNT; ++i) {
         vec3 to_light;
-        vec3 illuminance = hw_illuminance(s, i, to_light) * max(dot(normal_world, to_light), 0.0);
-        if (i == main_light && hw_shadow_params.w > 0.5) illuminance *= hw_shadow(s);
-        luminance += illuminance / kHwPi;
+        luminance += hw_direct(s, normal_world, i, to_light) / kHwPi;
     }
     float x = hw_luminance(luminance) * hw_exposure;
-    return sqrt(clamp(1.0 - exp(-1.6 * x), 0.0, 1.0));
+    return sqrt(clamp(1.0 - exp2(-2.3 * x), 0.0, 1.0));
 }
