@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "hatchway/arguments.hpp"
-#include "walk/turntable.hpp"
+#include "walk/whole_scene.hpp"
 #include "world/camera_path.hpp"
 
 namespace hw {
@@ -39,7 +39,7 @@ CameraPath named_path(const std::string& name, const Level& level, const Scene& 
 {
     if (const auto found = level.paths.find(name); found != level.paths.end()) return found->second;
     if (name == kTour) log_info("the level has no path \"tour\": going once around the scene");
-    if (name == kTour || name == kTurntable) return turntable(scene.bounds_world, aspect);
+    if (name == kTour || name == kTurntable) return turntable(scene, aspect);
 
     std::vector<std::string> names;
     for (const auto& [known, path] : level.paths) names.push_back(known);
@@ -105,7 +105,7 @@ std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, c
     else if (!arguments.eye.empty())
         shot.camera = {parse_vector(arguments.eye, "--eye"), parse_vector(arguments.target, "--target"), kDefaultFovDeg};
     else
-        shot.camera = overview_camera(scene.bounds_world, aspect);
+        shot.camera = whole_scene_camera(scene, aspect);
     if (arguments.fov_deg) shot.camera.fov_deg = *arguments.fov_deg;
     return {shot};
 }

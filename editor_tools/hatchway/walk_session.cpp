@@ -13,7 +13,7 @@
 #include "hatchway/shots.hpp"
 #include "io/images.hpp"
 #include "render/camera_view.hpp"
-#include "walk/turntable.hpp"
+#include "walk/whole_scene.hpp"
 #include "world/camera_path.hpp"
 
 namespace hw {
@@ -42,7 +42,7 @@ double aspect_of(const Window& window)
 Camera start_camera(const Level& level, const Scene& scene, double aspect)
 {
     if (level.start) return {.name = "start", .eye_world = level.start->position, .target_world = level.start->look_at};
-    const CameraPlace place = overview_camera(scene.bounds_world, aspect);
+    const CameraPlace place = whole_scene_camera(scene, aspect);
     return {
         .name = "overview", .eye_world = place.eye_world, .target_world = place.target_world, .fov_deg = place.fov_deg};
 }
@@ -198,7 +198,7 @@ void WalkSession::play_path()
 {
     if (playing_) return place(camera());
     const auto& paths = stage_->level().paths;
-    Playing playing{.path = turntable(stage_->scene().bounds_world, aspect_of(window_)), .since_s = now_s()};
+    Playing playing{.path = turntable(stage_->scene(), aspect_of(window_)), .since_s = now_s()};
     if (!paths.empty()) playing.path = paths.count("tour") ? paths.at("tour") : paths.begin()->second;
     playing_ = std::move(playing);
 }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "walk/stage.hpp"
+#include "walk/style_edits.hpp"
+
+namespace hw {
+
+/// The author's hand on a stage: styles of objects are tried out, taken back, and saved into the level file. Each call
+/// returns what to tell the author, and throws hw::Error when a style does not work: all is then as before.
+class WalkStyles {
+ public:
+    /// `stage` must outlive this, and be told of by stage_changed() when it reloaded.
+    explicit WalkStyles(Stage& stage) : stage_(stage), keys_(object_keys(stage.scene())) {}
+
+    std::string cycle(ObjectId object, int step);
+    std::string undo();
+    std::string redo();
+
+    bool has_unsaved() const { return edits_.has_unsaved(); }
+
+    /// Writes what is unsaved into the level file's "assign". Throws hw::Error; the file is then as it was.
+    std::string save();
+
+    /// Writes a level file for a stage that shows a bare model: its looks as they are shown, and the start. Throws
+    /// hw::Error when that file exists or cannot be written.
+    std::string save_as(const std::filesystem::path& level_file, const StartPlace& start,
+                        const std::vector<std::string>& style_overrides);
+
+    /// After a reload of the stage: unsaved edits are put on top of what the files say now.
+    void stage_changed();
+
+ private:
+    /// Shows the level with these edits, and only then holds on to them. Returns `message`.
+    std::string adopt(StyleEdits next, const std::string& message);
+    std::string told(const std::string& before, const StyleEdit& edit, const StyleChoice& choice) const;
+
+    Stage& stage_;
+    std::vector<ObjectKey> keys_;  ///< Of the scene that `edits_` count in.
+    StyleEdits edits_;
+    bool has_extra_rules_ = false;
+};
+
+/// Where a bare model's level file would stand: "teapot.glb" gives "teapot.level.json" beside it.
+std::filesystem::path level_file_for(const std::filesystem::path& model);
+
+/// Whether `file` is a level file and not a bare model.
+bool is_level_file(const std::filesystem::path& file);
+
+}  // namespace hw
