@@ -6,7 +6,10 @@
 
 namespace hw {
 
-EdgeStore::EdgeStore(const Scene& scene) : scene_(scene), objects_(scene.objects.size()) {}
+EdgeStore::EdgeStore(const Scene& scene, LineIndices& indices)
+    : scene_(scene), indices_(indices), objects_(scene.objects.size())
+{
+}
 
 EdgeStore::MeshKey EdgeStore::key_of(ObjectId object) const
 {

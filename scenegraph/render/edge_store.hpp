@@ -22,7 +22,8 @@ struct EdgeUse {
 /// kept while the scene is.
 class EdgeStore {
  public:
-    explicit EdgeStore(const Scene& scene);
+    /// Both must outlive the store.
+    EdgeStore(const Scene& scene, LineIndices& indices);
 
     /// Builds what `uses` (one for each object) asks for and is not there yet.
     void prepare(std::span<const EdgeUse> uses);
@@ -31,7 +32,6 @@ class EdgeStore {
     const Surface* surface(ObjectId object) const;
     const LineMesh* lines(ObjectId object) const;
     const glm::dmat4& world_from_object(ObjectId object) const { return scene_.world_from_object(object); }
-    LineIndices& indices() { return indices_; }
 
     int surfaces_built() const { return surfaces_built_; }
     int line_meshes_built() const { return line_meshes_built_; }
@@ -59,7 +59,7 @@ class EdgeStore {
     void assign_lines(ObjectId object, const EdgeUse& use, const Seams* seams);
 
     const Scene& scene_;
-    LineIndices indices_;
+    LineIndices& indices_;
     std::map<MeshKey, Surface> surfaces_;
     std::map<LineKey, LineMesh> shared_lines_;
     std::vector<ObjectEdges> objects_;

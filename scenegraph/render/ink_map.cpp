@@ -41,8 +41,8 @@ MapLevels filtered(const Pixels& finest, double size_m, Reduce reduce)
             for (int x = 0; x < level.width; ++x) {
                 const int x1 = std::min(2 * x + 1, from.width - 1);
                 const int y1 = std::min(2 * y + 1, from.height - 1);
-                level.bytes.push_back(reduce(*from.at(2 * x, 2 * y), *from.at(x1, 2 * y), *from.at(2 * x, y1),
-                                             *from.at(x1, y1)));
+                level.bytes.push_back(
+                    reduce(*from.at(2 * x, 2 * y), *from.at(x1, 2 * y), *from.at(2 * x, y1), *from.at(x1, y1)));
             }
         }
         map.levels.push_back(std::move(level));
@@ -60,8 +60,8 @@ InkMap make_ink_map(std::span<const MapStroke> strokes, const InkMapDesc& desc)
     result.map.size_m = desc.size_m;
     std::vector<MapStroke> sorted = by_priority(strokes);
     double tone = 0.0;
-    for (int width = desc.width_texels, height = desc.height_texels;; width = std::max(width / 2, 1),
-             height = std::max(height / 2, 1)) {
+    for (int width = desc.width_texels, height = desc.height_texels;;
+         width = std::max(width / 2, 1), height = std::max(height / 2, 1)) {
         const bool is_finest = result.map.levels.empty();
         DrawnLevel level = is_finest || width >= desc.smallest_texels
                                ? drawn_to_tone(sorted, width, height, desc.pen_texels, is_finest ? 1.0 : tone)
@@ -77,9 +77,8 @@ InkMap make_ink_map(std::span<const MapStroke> strokes, const InkMapDesc& desc)
 
 MapLevels filtered_by_mean(const Pixels& finest, double size_m)
 {
-    return filtered(finest, size_m, [](int a, int b, int c, int d) {
-        return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
-    });
+    return filtered(finest, size_m,
+                    [](int a, int b, int c, int d) { return static_cast<std::uint8_t>((a + b + c + d + 2) / 4); });
 }
 
 MapLevels filtered_by_minimum(const Pixels& finest, double size_m)

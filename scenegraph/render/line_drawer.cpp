@@ -35,8 +35,15 @@ struct LineDrawer::Stretch {
     float width_px = 0.0f;
 };
 
-LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state)
-    : device_(device), programs_(programs), state_(state)
+/// A program and what it draws of each line.
+struct LineDrawer::LineProgram {
+    const GpuProgram* gpu = nullptr;
+    Primitive primitive = Primitive::triangles;
+    int clip_from_object, relative_from_object, fade, presence_height, presence_inverted;
+};
+
+LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices)
+    : device_(device), programs_(programs), state_(state), indices_(indices), stream_(make_line_buffer(indices))
 {
 }
 
@@ -74,94 +81,114 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
         }
     }
     first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
-    edges.indices().reserve(first_lines.back());
-    if (stream_.vertices.id() == 0) stream_ = make_line_buffer(edges.indices());
+    indices_.reserve(first_lines.back());
     if (!vertices_.empty()) stream_.vertices.stream(std::as_bytes(std::span(vertices_)));
     return first_lines;
+}
+
+std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, bool has_presence) const
+{
+    const std::string presence = has_presence ? "#define HW_PRESENCE 1\n" : "";
+    const auto make = [](const LinkedProgram& linked, Primitive primitive) {
+        const GpuProgram& gpu = linked.gpu;
+        return LineProgram{.gpu = &gpu,
+                           .primitive = primitive,
+                           .clip_from_object = linked.at.clip_from_object,
+                           .relative_from_object = linked.at.relative_from_object,
+                           .fade = gpu.location("hw_line_fade"),
+                           .presence_height = linked.at.presence_height,
+                           .presence_inverted = linked.at.presence_inverted};
+    };
+    if (path == LinePath::quads)
+        return {make(programs_.engine("line_quad.vert", "line_quad.frag", presence), Primitive::triangles)};
+    const std::string round = presence + "#define HW_ROUND_POINT 1\n";
+    return {make(programs_.engine("line_end.vert", "line_end.frag", presence), Primitive::lines),
+            make(programs_.engine("line_end.vert", "line_end.frag", round), Primitive::points)};
+}
+
+void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, const LineLook& look)
+{
+    std::array<float, kLineClassCount> widths;
+    std::array<glm::vec3, kLineClassCount> colours;
+    for (int i = 0; i < kLineClassCount; ++i) {
+        widths[i] = width_px(*frame.view, look, static_cast<LineClass>(i));
+        colours[i] = linear_from_srgb(look.colour[i]);
+    }
+    state_.use(*program.gpu);
+    GpuProgram::set(program.gpu->location("hw_line_width_px[0]"), std::span<const float>(widths));
+    GpuProgram::set(program.gpu->location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
+    GpuProgram::set(program.gpu->location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
 }
 
 void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges)
 {
     const LinePath path = path_for(frame, look);
     const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, look, items, edges);
-    std::vector<Stretch> stretches;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const ObjectId object = items[i].object->object;
-        const LineMesh* lines = edges.lines(object);
-        if (lines == nullptr) continue;
-        stretches.clear();
-        for (const LineMesh::Run& run : lines->runs) {
-            const float width = width_px(*frame.view, look, run.line_class);
-            if (width <= 0.0f) continue;
-            const std::uint32_t count = look.crease_rad > lines->crease_rad
-                                            ? run_length_at(run, *edges.surface(object), look.crease_rad)
-                                            : run.count;
-            const bool continues = !stretches.empty() &&
-                                   stretches.back().first_line + stretches.back().count == run.first_line &&
-                                   (path == LinePath::quads || stretches.back().width_px == width);
-            if (continues)
-                stretches.back().count += count;
-            else
-                stretches.push_back({run.first_line, count, width});
+    for (const bool with_presence : {false, true}) {
+        const bool is_needed = std::any_of(items.begin(), items.end(), [&](const LineItem& item) {
+            return has_presence(*item.item) == with_presence;
+        });
+        if (!is_needed) continue;
+        for (const LineProgram& program : programs_for(path, with_presence)) {
+            set_look(program, frame, look);
+            for (std::size_t i = 0; i < items.size(); ++i) {
+                const LineMesh* lines = edges.lines(items[i].object->object);
+                const DrawItem& item = *items[i].item;
+                if (lines == nullptr || has_presence(item) != with_presence) continue;
+                if (!shows_at_all(item, frame.view->time_s)) continue;
+                const Surface& surface = *edges.surface(items[i].object->object);
+                draw_item(program, frame, look, items[i], *lines, lines->buffer,
+                          stretches_of(*lines, surface, frame, look, path));
+                const Stretch silhouettes{first_lines[i], first_lines[i + 1] - first_lines[i],
+                                          width_px(*frame.view, look, LineClass::silhouette)};
+                draw_item(program, frame, look, items[i], *lines, stream_, {&silhouettes, 1});
+            }
         }
-        draw_stretches(path, frame, look, items[i], *lines, lines->buffer, stretches);
-        const Stretch silhouettes{first_lines[i], first_lines[i + 1] - first_lines[i],
-                                  width_px(*frame.view, look, LineClass::silhouette)};
-        draw_stretches(path, frame, look, items[i], *lines, stream_, {&silhouettes, 1});
     }
 }
 
-void LineDrawer::set_uniforms(const GpuProgram& program, const LineFrame& frame, const LineLook& look,
-                              const LineItem& item, const LineMesh& lines) const
+std::vector<LineDrawer::Stretch> LineDrawer::stretches_of(const LineMesh& lines, const Surface& surface,
+                                                          const LineFrame& frame, const LineLook& look, LinePath path)
 {
-    const View& view = *frame.view;
-    GpuProgram::set(program.location("hw_clip_from_object"), item.object->clip_from_object);
-    GpuProgram::set(program.location("hw_relative_from_object"), item.object->relative_from_object);
-    std::array<float, kLineClassCount> widths;
-    std::array<glm::vec3, kLineClassCount> colours;
-    for (int i = 0; i < kLineClassCount; ++i) {
-        widths[i] = width_px(view, look, static_cast<LineClass>(i));
-        colours[i] = linear_from_srgb(look.colour[i]);
+    std::vector<Stretch> stretches;
+    for (const LineMesh::Run& run : lines.runs) {
+        const float width = width_px(*frame.view, look, run.line_class);
+        if (width <= 0.0f) continue;
+        const bool is_cut = look.crease_rad > lines.crease_rad;
+        const std::uint32_t count = is_cut ? run_length_at(run, surface, look.crease_rad) : run.count;
+        const bool continues = !stretches.empty() &&
+                               stretches.back().first_line + stretches.back().count == run.first_line &&
+                               (path == LinePath::quads || stretches.back().width_px == width);
+        if (continues)
+            stretches.back().count += count;
+        else
+            stretches.push_back({run.first_line, count, width});
     }
-    GpuProgram::set(program.location("hw_line_width_px[0]"), std::span<const float>(widths));
-    GpuProgram::set(program.location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
-    GpuProgram::set(program.location("hw_line_fade"),
-                    glm::vec4(lines.mean_length * item.object->scale, look.far.none_spacing_px * view.px_scale,
-                              look.far.full_spacing_px * view.px_scale, look.far.is_on ? 1.0f : 0.0f));
-    GpuProgram::set(program.location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
-    set_presence(program.location("hw_presence_height"), program.location("hw_presence_inverted"), *item.item,
-                 view.time_s);
+    return stretches;
 }
 
-void LineDrawer::draw_stretches(LinePath path, const LineFrame& frame, const LineLook& look, const LineItem& item,
-                                const LineMesh& lines, const LineBuffer& buffer, std::span<const Stretch> stretches)
+void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, const LineLook& look,
+                           const LineItem& item, const LineMesh& lines, const LineBuffer& buffer,
+                           std::span<const Stretch> stretches)
 {
     const bool is_empty =
         std::all_of(stretches.begin(), stretches.end(), [](const Stretch& s) { return s.count == 0; });
-    if (is_empty || !shows_at_all(*item.item, frame.view->time_s)) return;
-    const char* presence = has_presence(*item.item) ? "#define HW_PRESENCE 1\n" : "";
-    if (path == LinePath::quads) {
-        const LinkedProgram& program = programs_.engine("line_quad.vert", "line_quad.frag", presence);
-        state_.apply(kLineState);
-        state_.use(program.gpu);
-        set_uniforms(program.gpu, frame, look, item, lines);
-        state_.bind(buffer.as_quads);
-        for (const Stretch& s : stretches) state_.draw_indexed(Primitive::triangles, s.first_line * 6, s.count * 6);
-        return;
-    }
-    for (const Primitive primitive : {Primitive::lines, Primitive::points}) {
-        const std::string defines =
-            std::string(presence) + (primitive == Primitive::points ? "#define HW_ROUND_POINT 1\n" : "");
-        const LinkedProgram& program = programs_.engine("line_end.vert", "line_end.frag", defines);
-        state_.use(program.gpu);
-        set_uniforms(program.gpu, frame, look, item, lines);
-        state_.bind(buffer.as_ends);
-        for (const Stretch& s : stretches) {
-            PipelineState line_state = kLineState;
-            line_state.line_width_px = s.width_px;
-            state_.apply(line_state);
-            state_.draw_indexed(primitive, s.first_line * 2, s.count * 2);
-        }
+    if (is_empty) return;
+    const View& view = *frame.view;
+    GpuProgram::set(program.clip_from_object, item.object->clip_from_object);
+    GpuProgram::set(program.relative_from_object, item.object->relative_from_object);
+    GpuProgram::set(program.fade,
+                    glm::vec4(lines.mean_length * item.object->scale, look.far.none_spacing_px * view.px_scale,
+                              look.far.full_spacing_px * view.px_scale, look.far.is_on ? 1.0f : 0.0f));
+    set_presence(program.presence_height, program.presence_inverted, *item.item, view.time_s);
+    const bool as_quads = program.primitive == Primitive::triangles;
+    const std::uint32_t indices_per_line = as_quads ? 6 : 2;
+    state_.bind(as_quads ? buffer.as_quads : buffer.as_ends);
+    for (const Stretch& s : stretches) {
+        PipelineState pipeline = kLineState;
+        if (!as_quads) pipeline.line_width_px = s.width_px;
+        state_.apply(pipeline);
+        state_.draw_indexed(program.primitive, s.first_line * indices_per_line, s.count * indices_per_line);
     }
 }
 

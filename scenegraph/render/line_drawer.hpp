@@ -37,26 +37,30 @@ struct LineCounters {
 /// test; faces were drawn with kFaceOffset.
 class LineDrawer {
  public:
-    LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state);
+    LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices);
 
     void draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges);
     LineCounters take_counters() { return std::exchange(counters_, {}); }
 
  private:
-    struct Uniforms;
     struct Stretch;
+    struct LineProgram;
 
     LinePath path_for(const LineFrame& frame, const LineLook& look) const;
     std::vector<std::uint32_t> stream_silhouettes(const LineFrame& frame, const LineLook& look,
                                                   std::span<const LineItem> items, EdgeStore& edges);
-    void set_uniforms(const GpuProgram& program, const LineFrame& frame, const LineLook& look, const LineItem& item,
-                      const LineMesh& lines) const;
-    void draw_stretches(LinePath path, const LineFrame& frame, const LineLook& look, const LineItem& item,
-                        const LineMesh& lines, const LineBuffer& buffer, std::span<const Stretch> stretches);
+    /// Programs of one path for one look: bodies of lines, and for GL_LINES their ends.
+    std::vector<LineProgram> programs_for(LinePath path, bool has_presence) const;
+    static std::vector<Stretch> stretches_of(const LineMesh& lines, const Surface& surface, const LineFrame& frame,
+                                             const LineLook& look, LinePath path);
+    void set_look(const LineProgram& program, const LineFrame& frame, const LineLook& look);
+    void draw_item(const LineProgram& program, const LineFrame& frame, const LineLook& look, const LineItem& item,
+                   const LineMesh& lines, const LineBuffer& buffer, std::span<const Stretch> stretches);
 
     const DeviceInfo& device_;
     ProgramStore& programs_;
     GpuState& state_;
+    LineIndices& indices_;
     LineBuffer stream_;
     SilhouetteScratch scratch_;
     std::vector<LineVertex> vertices_;

@@ -41,11 +41,16 @@ class PhaseClock {
 
 /// Everything of one loaded scene.
 struct LoadedScene {
-    explicit LoadedScene(SceneInput taken) : input(std::move(taken)), gpu(*input.scene, input.maps), edges(*input.scene)
+    LoadedScene(SceneInput taken, LineIndices& line_indices)
+        : input(std::move(taken)), gpu(*input.scene, input.maps), edges(*input.scene, line_indices)
     {
         light = choose_lights(input.lights, input.scene->bounds_world);
         light.exposure_ev = input.exposure_ev;
         light.background_linear = linear_from_srgb(input.background_srgb);
+        for (const MeshData& mesh : input.scene->meshes) {
+            mesh_bounds.emplace_back();
+            for (const glm::vec3& position : mesh.positions) mesh_bounds.back().add(glm::dvec3(position));
+        }
         std::uint32_t first = 0;
         for (const Object& object : input.scene->objects) {
             first_triangle.push_back(first);
@@ -58,7 +63,8 @@ struct LoadedScene {
     EdgeStore edges;
     ShadowMap shadow;
     SceneLight light;
-    std::vector<std::uint32_t> first_triangle;
+    std::vector<Box> mesh_bounds;                    ///< Object space.
+    std::vector<std::uint32_t> first_triangle;       ///< Of each object, in the numbering of triangle ids.
     std::vector<Needs> needs;                        ///< Of each style.
     std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.
     std::map<ImageKey, std::unique_ptr<ImagePass>> image_passes;
@@ -69,7 +75,7 @@ struct Renderer::State {
     explicit State(Context& own_context)
         : context(own_context),
           programs(installation_prefix() / "share" / "hatchway" / "shaders", own_context.device().is_es),
-          lines(own_context.device(), programs, gpu),
+          lines(own_context.device(), programs, gpu, line_indices),
           overlay(programs, gpu),
           no_vertices({}, nullptr)
     {
@@ -92,6 +98,7 @@ struct Renderer::State {
     GpuState gpu;
     ProgramStore programs;
     TargetPool pool;
+    LineIndices line_indices;
     LineDrawer lines;
     OverlayDrawer overlay;
     GpuVertexArray no_vertices;
@@ -100,6 +107,7 @@ struct Renderer::State {
     GpuTarget sampled;  ///< Where multisampled frames are drawn.
     std::unique_ptr<LoadedScene> scene;
     VisibleSet visible;
+    const std::map<MapKind, int> no_maps;
 };
 
 Renderer::Renderer(Context& context) : state_(std::make_unique<State>(context)) {}
@@ -119,7 +127,7 @@ void Renderer::load(SceneInput input)
 {
     HW_ASSERT(input.scene != nullptr && input.objects.size() == input.scene->objects.size());
     HW_ASSERT(input.chunks.empty() || input.chunks.size() == input.scene->meshes.size());
-    state_->scene = std::make_unique<LoadedScene>(std::move(input));
+    state_->scene = std::make_unique<LoadedScene>(std::move(input), state_->line_indices);
     state_->learn_needs();
 }
 
@@ -214,7 +222,7 @@ void Renderer::State::draw_images(const FramePlan& plan, FrameParts& parts, Fram
             parts.images[key] = draw_engine_image(key.pass, input, scene->gpu, programs, gpu, pool);
             continue;
         }
-        StylePass pass(parts, PassStage::images, false, {});
+        StylePass pass(parts, PassStage::images, false, no_maps);
         parts.images[key] = scene->image_passes.at(key)->make(pass);
         gpu.apply({});
     }
@@ -310,8 +318,11 @@ FrameStats Renderer::draw(const View& view, const FrameOptions& options)
     state.gpu.reset_counters();
     state.size_targets(view.size_px, options.samples);
 
-    find_visible({scene.input.scene, scene.input.chunks, options.use_pvs ? scene.input.visibility : nullptr}, view,
-                 state.visible);
+    find_visible({.scene = scene.input.scene,
+                  .chunks = scene.input.chunks,
+                  .mesh_bounds = scene.mesh_bounds,
+                  .visibility = options.use_pvs ? scene.input.visibility : nullptr},
+                 view, state.visible);
     const FramePlan plan = plan_frame(scene.input, state.visible);
     clock.end_phase(stats.visibility_ms);
 

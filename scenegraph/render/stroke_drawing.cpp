@@ -11,7 +11,10 @@
 namespace hw {
 namespace {
 
-int wrapped(int i, int size) { return ((i % size) + size) % size; }
+int wrapped(int i, int size)
+{
+    return ((i % size) + size) % size;
+}
 
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b)
 {
@@ -42,7 +45,8 @@ void draw_segment(InkPlane& plane, const glm::dvec2& a, const glm::dvec2& b, dou
 double length_of(const MapStroke& stroke)
 {
     double length = 0.0;
-    for (std::size_t i = 1; i < stroke.points.size(); ++i) length += glm::distance(stroke.points[i - 1], stroke.points[i]);
+    for (std::size_t i = 1; i < stroke.points.size(); ++i)
+        length += glm::distance(stroke.points[i - 1], stroke.points[i]);
     return length;
 }
 
@@ -109,7 +113,8 @@ void rank_evenly(std::span<MapStroke> strokes)
         std::size_t best = count;
         for (std::size_t i = 0; i < count; ++i) {
             if (is_ranked[i]) continue;
-            if (best == count || clearance[i] * std::sqrt(lengths[i]) > clearance[best] * std::sqrt(lengths[best])) best = i;
+            if (best == count || clearance[i] * std::sqrt(lengths[i]) > clearance[best] * std::sqrt(lengths[best]))
+                best = i;
         }
         is_ranked[best] = true;
         strokes[best].priority = static_cast<double>(rank);

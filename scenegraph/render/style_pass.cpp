@@ -118,13 +118,10 @@ void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::sp
                               const PipelineState& state)
 {
     std::vector<SurfaceItem> surface_items;
-    std::vector<std::map<MapKind, int>> maps;
-    maps.reserve(items.size());
+    surface_items.reserve(items.size());
     for (const DrawItem& item : items) {
         const VisibleObject& object = frame_.visible->objects[item.slot];
-        maps.push_back((*frame_.looks)[object.object].maps);
-        maps.back().insert(style_maps_.begin(), style_maps_.end());
-        surface_items.push_back({&item, &object, &maps.back()});
+        surface_items.push_back({&item, &object, choose_maps((*frame_.looks)[object.object].maps, style_maps_)});
     }
     const bool has_shadow = uses_shadow_ && frame_.shadow_texture != 0;
     frame_.surfaces->draw({.program = program,

@@ -41,7 +41,7 @@ enum class PassStage : std::uint8_t {
 /// The host's side of Pass: one call of one style, or of one image pass.
 class StylePass final : public Pass {
  public:
-    /// `maps` are those of the style's needs, for objects without maps of that kind.
+    /// `maps` are those of the style's needs, for objects without maps of that kind; they must outlive the pass.
     StylePass(FrameParts& frame, PassStage stage, bool uses_shadow, const std::map<MapKind, int>& maps);
 
     const View& view() const override { return *frame_.view; }
@@ -60,7 +60,7 @@ class StylePass final : public Pass {
     FrameParts& frame_;
     PassStage stage_;
     bool uses_shadow_;
-    std::map<MapKind, int> style_maps_;
+    const std::map<MapKind, int>& style_maps_;
 };
 
 }  // namespace hw

@@ -5,20 +5,25 @@
 namespace hw {
 namespace {
 
-SurfaceFeatures map_features(const std::map<MapKind, int>& maps)
+SurfaceFeatures map_features(const ItemMaps& maps)
 {
     namespace f = surface_feature;
-    SurfaceFeatures features = 0;
-    for (const auto& [kind, index] : maps) {
-        if (index == kNone) continue;
-        if (kind == MapKind::hatch) features |= f::kHatchMap;
-        if (kind == MapKind::ink) features |= f::kInkMap;
-        if (kind == MapKind::tonal) features |= f::kTonalMap;
-    }
-    return features;
+    return (maps.hatch == kNone ? 0 : f::kHatchMap) | (maps.ink == kNone ? 0 : f::kInkMap) |
+           (maps.tonal == kNone ? 0 : f::kTonalMap);
 }
 
 }  // namespace
+
+ItemMaps choose_maps(const std::map<MapKind, int>& of_object, const std::map<MapKind, int>& of_style)
+{
+    const auto choose = [&](MapKind kind) {
+        const auto own = of_object.find(kind);
+        if (own != of_object.end() && own->second != kNone) return own->second;
+        const auto style = of_style.find(kind);
+        return style == of_style.end() ? kNone : style->second;
+    };
+    return {choose(MapKind::hatch), choose(MapKind::ink), choose(MapKind::tonal)};
+}
 
 void set_uniforms(const GpuProgram& program, const Uniforms& uniforms, GpuState& state)
 {
@@ -45,7 +50,7 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
         const Material& material = *item.item->material;
         const GpuMesh& mesh = scene_.mesh_of(item.object->object);
         const GpuMaterial& gpu_material = scene_.material_of(item.object->object);
-        SurfaceFeatures features = run.features | mesh.features | gpu_material.features | map_features(*item.maps);
+        SurfaceFeatures features = run.features | mesh.features | gpu_material.features | map_features(item.maps);
         if (has_presence(*item.item)) features |= surface_feature::kPresence;
         const LinkedProgram* program = programs_.surface(run.program, features);
         if (program == nullptr) return;
@@ -105,16 +110,15 @@ void SurfaceDrawer::set_material(const LinkedProgram& program, const DrawItem& i
 
 void SurfaceDrawer::set_maps(const LinkedProgram& program, const SurfaceItem& item)
 {
-    const auto set = [&](MapKind kind, int unit, int info) {
-        const auto found = item.maps->find(kind);
-        if (unit < 0 || found == item.maps->end() || found->second == kNone) return;
-        const GpuMap& map = scene_.map(found->second);
+    const auto set = [&](int index, int unit, int info) {
+        if (unit < 0 || index == kNone) return;
+        const GpuMap& map = scene_.map(index);
         state_.bind_texture(unit, map.texture.id());
         GpuProgram::set(info, map.info);
     };
-    set(MapKind::hatch, program.at.unit_hatch, program.at.hatch_info);
-    set(MapKind::ink, program.at.unit_ink, program.at.ink_info);
-    set(MapKind::tonal, program.at.unit_tonal, program.at.tonal_info);
+    set(item.maps.hatch, program.at.unit_hatch, program.at.hatch_info);
+    set(item.maps.ink, program.at.unit_ink, program.at.ink_info);
+    set(item.maps.tonal, program.at.unit_tonal, program.at.tonal_info);
 }
 
 }  // namespace hw

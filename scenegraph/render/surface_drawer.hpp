@@ -11,11 +11,21 @@
 
 namespace hw {
 
+/// The maps of an item: indices into SceneInput::maps, or kNone.
+struct ItemMaps {
+    int hatch = kNone;
+    int ink = kNone;
+    int tonal = kNone;
+};
+
+/// What an object's look names, and where it names none of a kind, what its style does.
+ItemMaps choose_maps(const std::map<MapKind, int>& of_object, const std::map<MapKind, int>& of_style);
+
 /// An item whose faces are drawn, where its object stands, and its maps.
 struct SurfaceItem {
     const DrawItem* item = nullptr;
     const VisibleObject* object = nullptr;
-    const std::map<MapKind, int>* maps = nullptr;
+    ItemMaps maps;
 };
 
 /// What a run of items shares.

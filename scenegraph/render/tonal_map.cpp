@@ -107,7 +107,8 @@ void fill_tone(const TonalMapDesc& desc, Layer& layer, std::vector<MapStroke>& s
     }
 }
 
-/// One level: the tones side by side. A tone at which everything is ink is filled, and so are levels too small for strokes.
+/// One level: the tones side by side. A tone at which everything is ink is filled, and so are levels too small for
+/// strokes.
 Pixels drawn_level(const TonalMapDesc& desc, int size, std::vector<std::vector<MapStroke>>& strokes, Random& random)
 {
     InkPlane level(size * desc.tones, size);
@@ -120,8 +121,8 @@ Pixels drawn_level(const TonalMapDesc& desc, int size, std::vector<std::vector<M
         }
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
-                level.at(tone * size + x, y) = is_even ? static_cast<float>(tone + 1) / static_cast<float>(desc.tones)
-                                                       : layer.plane().at(x, y);
+                level.at(tone * size + x, y) =
+                    is_even ? static_cast<float>(tone + 1) / static_cast<float>(desc.tones) : layer.plane().at(x, y);
     }
     return level_of(level);
 }

@@ -87,7 +87,6 @@ VisibleObject place_object(const Scene& scene, ObjectId object, const View& view
     // Of a matrix that flattens there is no inverse; any finite normals do.
     item.normal_from_object =
         determinant == 0.0 ? glm::mat3(relative) : glm::mat3(glm::inverseTranspose(glm::dmat3(world_from_object)));
-    if (determinant < 0.0) item.normal_from_object = item.normal_from_object * 1.0f;
     item.distance_m = distance_to(scene.objects[object].bounds_world, view.eye_world);
     return item;
 }
@@ -102,7 +101,7 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
         result.leaves_visible = visible_leaf_count(*query.visibility, view.eye_world, near_radius(view));
     }
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const Object& object = scene.objects[id];
+        const int mesh = scene.objects[id].mesh;
         std::span<const std::uint8_t> seen_chunks;
         if (query.visibility != nullptr) {
             const std::uint32_t first = query.visibility->first_slot_of_object[id];
@@ -113,17 +112,11 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
         VisibleObject item = place_object(scene, id, view);
         item.first_range = static_cast<std::uint32_t>(result.ranges.size());
         const Planes planes = frustum_planes(item.clip_from_object);
-        const MeshData& mesh = scene.meshes[object.mesh];
-        Box bounds_object;
-        if (query.chunks.empty()) {
-            for (const glm::vec3& position : mesh.positions) bounds_object.add(glm::dvec3(position));
-            if (!is_outside(bounds_object, planes))
-                add_range(result, item, {0, static_cast<std::uint32_t>(mesh.indices.size())});
-        } else {
-            const MeshChunks& chunks = query.chunks[object.mesh];
-            for (const MeshChunk& chunk : chunks) bounds_object.add(chunk.bounds_object);
-            if (!is_outside(bounds_object, planes)) collect_ranges(chunks, planes, seen_chunks, result, item);
-        }
+        if (is_outside(query.mesh_bounds[mesh], planes)) continue;
+        if (query.chunks.empty())
+            add_range(result, item, {0, static_cast<std::uint32_t>(scene.meshes[mesh].indices.size())});
+        else
+            collect_ranges(query.chunks[mesh], planes, seen_chunks, result, item);
         if (item.range_count > 0) result.objects.push_back(item);
     }
     std::sort(result.objects.begin(), result.objects.end(), [](const VisibleObject& a, const VisibleObject& b) {

@@ -45,6 +45,7 @@ struct VisibleSet {
 struct VisibilityQuery {
     const Scene* scene = nullptr;
     std::span<const MeshChunks> chunks;      ///< Empty: whole meshes.
+    std::span<const Box> mesh_bounds;        ///< Of each mesh, object space.
     const Visibility* visibility = nullptr;  ///< Null: everything.
 };
 
