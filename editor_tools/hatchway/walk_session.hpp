@@ -9,8 +9,8 @@
 
 #include "gl/window.hpp"
 #include "hatchway/arguments.hpp"
-#include "hatchway/walk_overlay.hpp"
-#include "hatchway/walk_styles.hpp"
+#include "walk/walk_overlay.hpp"
+#include "walk/walk_styles.hpp"
 #include "walk/controls.hpp"
 #include "walk/frame_pacing.hpp"
 #include "walk/pick.hpp"
