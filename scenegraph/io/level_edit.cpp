@@ -101,13 +101,13 @@ void append_entry(std::string& text, const JsonPlace& list, const std::string& e
 {
     const std::vector<JsonPlace> elements = element_places(text, list);
     if (elements.empty()) {
-        text.insert(list.begin + 1, "\n" + std::string(kFallbackIndent, ' ') + entry + "\n  ");
+        text.insert(list.begin + 1, std::string("\n") + std::string(kFallbackIndent, ' ') + entry + "\n  ");
         return;
     }
     // After comments that follow the last entry, but before the line of the closing bracket.
     const std::size_t end = text.find_last_not_of(" \t\r\n", list.end - 2) + 1;
-    text.insert(std::max(end, elements.back().end), "\n" + indent_of(text, elements.back().begin) + entry);
-    text.insert(elements.back().end, ",");
+    text.insert(std::max(end, elements.back().end), std::string("\n") + indent_of(text, elements.back().begin) + entry);
+    text.insert(elements.back().end, 1, ',');
 }
 
 void append_list(std::string& text, const std::string& entry)
@@ -117,7 +117,7 @@ void append_list(std::string& text, const std::string& entry)
     const std::string list = fmt::format("\n  \"assign\": [\n    {}\n  ]", entry);
     const std::size_t end = text.find_last_not_of(" \t\r\n", root.end - 2) + 1;
     text.insert(last ? std::max(end, last->end) : root.begin + 1, list + (last ? "" : "\n"));
-    if (last) text.insert(last->end, ",");
+    if (last) text.insert(last->end, 1, ',');
 }
 
 json assign_of(const json& level)
