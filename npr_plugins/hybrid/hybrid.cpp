@@ -1,5 +1,6 @@
 // Hybrid: one object, photoreal where it is known and ink where it is conjecture.
 #include <array>
+#include <cmath>
 
 #include "style/style.hpp"
 
@@ -8,6 +9,9 @@ namespace {
 enum Gradient { kNone, kHeight, kObject };
 constexpr std::array<std::string_view, 3> kGradients{"none", "height", "object"};
 constexpr float kDegree = 0.017453293f;
+constexpr float kCrossDeg = 70.0f;
+
+glm::vec2 direction(float angle_deg) { return {std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree)}; }
 
 class Hybrid final : public hw::Style {
  public:
@@ -55,11 +59,11 @@ class Hybrid final : public hw::Style {
             uniforms.set("ink_range", glm::vec3(range.from_m, range.to_m, gradient_ == kNone ? 0.0f : 1.0f))
                 .set("ink_weight", ink_weight_)
                 .set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, 90.0f, 0.5f))
-                .set("hatch_angles", glm::vec2(hatch_deg_, 70.0f) * kDegree)
+                .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + kCrossDeg)))
                 .set("tone_range", glm::vec4(darkness_, 0.78f, 0.18f, 0.35f))
-                .set("paper_colour", tint_)
-                .set("uncertain_colour", tint_)
-                .set("ink_colour", ink_)
+                .set("paper_colour", hw::linear_colour(tint_))
+                .set("uncertain_colour", hw::linear_colour(tint_))
+                .set("ink_colour", hw::linear_colour(ink_))
                 .set("from_material", glm::vec2(0.0f))
                 .set("shade", 0.0f)
                 .set("ink_map_strength", 1.0f);

@@ -10,6 +10,8 @@ enum Tone { kNoTone, kPlain, kShaded };
 constexpr std::array<std::string_view, 3> kTones{"none", "plain", "shaded"};
 constexpr float kDegree = 0.017453293f;
 
+glm::vec2 direction(float angle_deg) { return {std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree)}; }
+
 class PenAndInk final : public hw::Style {
  public:
     void visit_params(hw::ParamVisitor& visitor) override
@@ -30,8 +32,10 @@ class PenAndInk final : public hw::Style {
         visitor.real({"shade", "Smooth gray shade under the ink."}, shade_, 0.0f, 1.0f);
         visitor.colour({"paper_colour", "Colour of faces."}, paper_);
         visitor.colour({"ink_colour", "Colour of lines and hatching."}, ink_);
-        visitor.real({"paper_from_material", "Share of the material's colour in the paper's."}, paper_from_material_, 0.0f, 1.0f);
-        visitor.real({"ink_from_material", "Share of the material's colour in the hatching's."}, ink_from_material_, 0.0f, 1.0f);
+        visitor.real({"paper_from_material", "Share of the material's colour in the paper's.", hw::ParamChange::rebuild},
+                     paper_from_material_, 0.0f, 1.0f);
+        visitor.real({"ink_from_material", "Share of the material's colour in the hatching's.", hw::ParamChange::rebuild},
+                     ink_from_material_, 0.0f, 1.0f);
         visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the paper's colour."}, uncertain_);
         visitor.map({"hatch", "Hatch map of tone plain, where the level assigns none.", hw::ParamChange::rebuild}, hatch_,
                     hw::MapKind::hatch);
@@ -53,19 +57,22 @@ class PenAndInk final : public hw::Style {
 
     void prepare(hw::ProgramCache& programs) override
     {
-        constexpr std::array<std::string_view, 3> kDefines{"", "#define TONE_PLAIN 1\n", "#define TONE_SHADED 1\n"};
-        program_ = programs.surface("pen_and_ink.frag", kDefines[tone_]);
+        std::string defines;
+        if (tone_ == kPlain) defines += "#define TONE_PLAIN 1\n";
+        if (tone_ == kShaded) defines += "#define TONE_SHADED 1\n";
+        if (paper_from_material_ > 0.0f || ink_from_material_ > 0.0f) defines += "#define MATERIAL_COLOUR 1\n";
+        program_ = programs.surface("pen_and_ink.frag", defines);
     }
 
     void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
     {
         hw::Uniforms uniforms;
         uniforms.set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, stroke_length_px_, wobble_px_))
-            .set("hatch_angles", glm::vec2(hatch_deg_, cross_deg_) * kDegree)
+            .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + cross_deg_)))
             .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, material_tone_))
-            .set("paper_colour", paper_)
-            .set("ink_colour", ink_)
-            .set("uncertain_colour", uncertain_)
+            .set("paper_colour", hw::linear_colour(paper_))
+            .set("ink_colour", hw::linear_colour(ink_))
+            .set("uncertain_colour", hw::linear_colour(uncertain_))
             .set("from_material", glm::vec2(paper_from_material_, ink_from_material_))
             .set("shade", shade_)
             .set("ink_map_strength", ink_map_strength_);

@@ -27,7 +27,7 @@ class Photoreal final : public hw::Style {
     void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
     {
         hw::Uniforms uniforms;
-        uniforms.set("brightness", brightness_).set("saturation", saturation_).set("tint", tint_);
+        uniforms.set("brightness", brightness_).set("saturation", saturation_).set("tint", hw::linear_colour(tint_));
         pass.surfaces(program_, uniforms, items);
     }
 

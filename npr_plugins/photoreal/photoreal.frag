@@ -4,13 +4,13 @@
 
 uniform float brightness;
 uniform float saturation;
-uniform vec3 tint;  // sRGB
+uniform vec3 tint;  // linear
 
 void main()
 {
     HwSurface surface = hw_surface();
     HwMaterial material = hw_material(surface);
     vec3 colour = hw_display(brightness * hw_lit(surface, material));
-    colour = max(mix(vec3(hw_luminance(colour)), colour, saturation), 0.0) * hw_linear(tint);
+    colour = max(mix(vec3(hw_luminance(colour)), colour, saturation), 0.0) * tint;
     hw_output(colour, material.alpha * hw_presence(surface));
 }

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "param/param_visitor.hpp"
+#include "style/colour.hpp"
 #include "style/needs.hpp"
 #include "style/pass.hpp"
 #include "style/plugin.hpp"
