@@ -26,6 +26,7 @@ void add_general_options(CLI::App& app)
 
 void add_commands(CLI::App& app)
 {
+    hw::add_walk_command(app);
     hw::add_render_command(app);
     hw::add_check_command(app);
     hw::add_info_command(app);
