@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSoftwareFps = 30.0, kDeviceFps = 60.0;
-constexpr double kFpsPull = 0.1;          // share of a new frame in the rate on screen
+constexpr double kFpsPull_s = 0.4;        // the rate on screen follows frames in about this time
 constexpr double kAskAgain_s = 5.0;       // a question waits so long for the second press
 constexpr double kSmallestWindow_px = 1;  // a minimised window has none
 constexpr std::chrono::milliseconds kIdle(50);
@@ -128,7 +128,7 @@ void WalkSession::frame()
     if (is_software(window_.device()) && spare_s > 0.0)
         std::this_thread::sleep_for(std::chrono::duration<double>(spare_s));
     const double frame_s = std::max(now_s() - now, 1e-4);
-    fps_ = fps_ == 0.0 ? 1.0 / frame_s : 1.0 / std::lerp(1.0 / fps_, frame_s, kFpsPull);
+    frame_s_ = std::lerp(frame_s_, frame_s, 1.0 - std::exp(-frame_s / kFpsPull_s));
 }
 
 void WalkSession::take_input(double seconds)
@@ -308,7 +308,7 @@ WalkFacts WalkSession::facts(const FrameQuality& quality, const std::optional<Ob
                     .is_help_shown = is_help_shown_,
                     .are_statistics_shown = are_statistics_shown_,
                     .has_unsaved = styles_->has_unsaved(),
-                    .fps = fps_,
+                    .fps = 1.0 / frame_s_,
                     .quality = describe(quality),
                     .stats = stats_,
                     .problems = stage_->messages(),

@@ -9,13 +9,13 @@
 
 #include "gl/window.hpp"
 #include "hatchway/arguments.hpp"
-#include "walk/walk_overlay.hpp"
-#include "walk/walk_styles.hpp"
 #include "walk/controls.hpp"
 #include "walk/frame_pacing.hpp"
 #include "walk/pick.hpp"
 #include "walk/player.hpp"
 #include "walk/stage.hpp"
+#include "walk/walk_overlay.hpp"
+#include "walk/walk_styles.hpp"
 
 namespace hw {
 
@@ -92,7 +92,7 @@ class WalkSession {
     PacingState pacing_;
     PacingGoal goal_;
     FrameStats stats_;
-    double fps_ = 0.0;
+    double frame_s_ = 1.0 / 60.0;  ///< A mean of late, for the rate on screen.
     Clock::time_point start_ = Clock::now();
     double last_frame_s_ = 0.0;
 

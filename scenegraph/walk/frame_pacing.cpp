@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -17,11 +19,22 @@ constexpr double kRoom = 0.85;       // a better rung must be expected to need n
 constexpr double kSampleCost = 2.2;  // 4 samples against 1, until both were measured (measured: 31 and 74 ms)
 constexpr double kLongestWait_s = 60.0;
 constexpr int kSkippedFrames = 2;
+constexpr int kFewestFrames = 3;
+constexpr double kLongWindow_ms = 500.0;
 
-double median_of(std::array<double, PacingState::kWindow> values)
+double median_of(const PacingState& state)
 {
-    std::nth_element(values.begin(), values.begin() + PacingState::kWindow / 2, values.end());
-    return values[PacingState::kWindow / 2];
+    std::array<double, PacingState::kWindow> values = state.frame_ms;
+    std::nth_element(values.begin(), values.begin() + state.frame_count / 2, values.begin() + state.frame_count);
+    return values[state.frame_count / 2];
+}
+
+/// Nobody wants to wait for nine frames of a second each: three tell a slow one from a slow machine.
+bool is_window_full(const PacingState& state)
+{
+    if (state.frame_count == PacingState::kWindow) return true;
+    const double sum_ms = std::accumulate(state.frame_ms.begin(), state.frame_ms.begin() + state.frame_count, 0.0);
+    return state.frame_count >= kFewestFrames && sum_ms >= kLongWindow_ms;
 }
 
 double pixel_cost(const FrameQuality& quality)
@@ -72,9 +85,9 @@ PacingState fallen(const PacingState& state, double ms, double goal_ms)
 /// A full window has been measured: fall, climb, or stay.
 PacingState after_window(PacingState state, double goal_ms)
 {
-    const double ms = std::max(1e-3, median_of(state.frame_ms));
+    const double ms = std::max(1e-3, median_of(state));
+    const double frames = std::exchange(state.frame_count, 0);
     const int last = static_cast<int>(kQualities.size()) - 1;
-    state.frame_count = 0;
     learn_step(state, ms);
     if (ms > kLate * goal_ms) {
         if (state.rung < last) return fallen(state, ms, goal_ms);
@@ -82,7 +95,7 @@ PacingState after_window(PacingState state, double goal_ms)
         return state;
     }
     // A frame lasts at least as long as the goal gives it, so that calm is counted in what a watch would show.
-    state.calm_s += PacingState::kWindow * std::max(ms, goal_ms) / 1000.0;
+    state.calm_s += frames * std::max(ms, goal_ms) / 1000.0;
     if (state.calm_s < state.wait_s) return state;
     if (state.is_trying) {
         state.is_trying = false;
@@ -110,7 +123,7 @@ PacingState after_frame(const PacingState& state, const PacingGoal& goal, double
         return next;
     }
     next.frame_ms[next.frame_count++] = frame_ms;
-    return next.frame_count < PacingState::kWindow ? next : after_window(next, 1000.0 / goal.target_fps);
+    return is_window_full(next) ? after_window(next, 1000.0 / goal.target_fps) : next;
 }
 
 FrameQuality quality_of(const PacingState& state)

@@ -24,7 +24,7 @@ struct PacingGoal {
 
 /// Pacing's memory. A fresh one starts at the best rung and knows nothing.
 struct PacingState {
-    static constexpr int kWindow = 9;  ///< Frames that are looked at together: an odd number has a median.
+    static constexpr int kWindow = 9;  ///< Frames that are looked at together: fewer where they are very slow.
 
     int rung = 0;  ///< Index into frame_qualities().
     std::array<double, kWindow> frame_ms{};

@@ -10,7 +10,7 @@ namespace hw {
 namespace {
 
 constexpr float kEdge = 8.0f;
-constexpr float kGlyphWidth = 8.0f, kLineHeight = 16.0f;
+constexpr float kGlyphWidth = 12.0f, kLineHeight = 16.0f;  // of OverlayText
 constexpr std::size_t kMostProblems = 4, kMostCameras = 9;
 constexpr glm::vec4 kProblemColour(1.0f, 0.75f, 0.7f, 1.0f), kProblemBackground(0.45f, 0.0f, 0.0f, 0.85f);
 
@@ -60,6 +60,11 @@ std::string statistics_text(const FrameStats& stats)
         stats.lines_ms, stats.resolve_ms, stats.total_ms);
 }
 
+std::string rate_text(double fps)
+{
+    return fps < 9.95 ? fmt::format("{:.1f}", fps) : fmt::format("{:.0f}", fps);
+}
+
 std::string hint(const WalkFacts& facts)
 {
     if (facts.is_playing_path) return "Playing the path; any move ends it";
@@ -102,7 +107,8 @@ Overlay walk_overlay(const WalkFacts& facts)
         overlay.texts.push_back(bottom_text(line, kEdge, 1));
     overlay.texts.push_back(bottom_text(hint(facts), kEdge, 0));
     const std::string gait = facts.is_flying ? "flying" : "walking";
-    overlay.texts.push_back(bottom_text(fmt::format("{}   {:.0f} fps, {}", gait, facts.fps, facts.quality), -kEdge, 0));
+    overlay.texts.push_back(
+        bottom_text(fmt::format("{}   {} fps, {}", gait, rate_text(facts.fps), facts.quality), -kEdge, 0));
     return overlay;
 }
 

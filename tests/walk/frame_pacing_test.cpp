@@ -58,6 +58,12 @@ TEST(frame_pacing, a_slow_machine_falls_within_a_second_until_the_rate_holds)
     EXPECT_LE(run.changes, 3);
 }
 
+TEST(frame_pacing, a_very_slow_machine_does_not_wait_for_a_whole_window)
+{
+    const Drive run = run_for(13.0, [](const auto&, double) { return 2000.0; });
+    EXPECT_EQ(hw::quality_of(run.state), hw::frame_qualities().back());
+}
+
 TEST(frame_pacing, a_hopeless_machine_stays_on_the_last_rung)
 {
     const Drive run = run_for(60.0, [](const auto& quality, double) { return software_ms(quality, 900.0); });
