@@ -60,13 +60,13 @@ class Hybrid final : public hw::Style {
                 .set("ink_weight", ink_weight_)
                 .set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, 90.0f, 0.5f))
                 .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + kCrossDeg)))
-                .set("tone_range", glm::vec4(darkness_, 0.78f, 0.18f, 0.35f))
+                .set("tone_range", glm::vec4(darkness_, 0.84f, 0.10f, 0.25f))
                 .set("paper_colour", hw::linear_colour(tint_))
                 .set("uncertain_colour", hw::linear_colour(tint_))
                 .set("ink_colour", hw::linear_colour(ink_))
                 .set("from_material", glm::vec2(0.0f))
                 .set("shade", 0.0f)
-                .set("ink_map_strength", 1.0f);
+                .set("ink_map_look", glm::vec2(1.0f, 0.7f));
             pass.surfaces(program_, uniforms, {&item, 1});
         }
     }
@@ -108,7 +108,7 @@ class Hybrid final : public hw::Style {
     int gradient_ = kObject;
     glm::vec3 tint_{0.99f, 0.98f, 0.95f}, ink_{0.09f, 0.08f, 0.08f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
-    float spacing_px_ = 5.5f, stroke_width_px_ = 1.0f, hatch_deg_ = 52.0f, darkness_ = 0.62f;
+    float spacing_px_ = 5.5f, stroke_width_px_ = 1.0f, hatch_deg_ = 52.0f, darkness_ = 0.64f;
     hw::Program program_;
 };
 

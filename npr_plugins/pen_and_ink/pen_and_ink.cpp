@@ -42,6 +42,8 @@ class PenAndInk final : public hw::Style {
         visitor.map({"ink", "Ink map: drawn detail such as courses of stone.", hw::ParamChange::rebuild}, ink_map_,
                     hw::MapKind::ink);
         visitor.real({"ink_map_strength", "Of the ink map; 0 hides it."}, ink_map_strength_, 0.0f, 1.0f);
+        visitor.real({"ink_map_detail", "Levels of the ink map by which it is drawn finer: more and thinner strokes."},
+                     ink_map_detail_, -2.0f, 2.0f);
     }
 
     hw::Needs needs() const override
@@ -75,7 +77,7 @@ class PenAndInk final : public hw::Style {
             .set("uncertain_colour", hw::linear_colour(uncertain_))
             .set("from_material", glm::vec2(paper_from_material_, ink_from_material_))
             .set("shade", shade_)
-            .set("ink_map_strength", ink_map_strength_);
+            .set("ink_map_look", glm::vec2(ink_map_strength_, ink_map_detail_));
         pass.surfaces(program_, uniforms, items);
     }
 
@@ -109,9 +111,9 @@ class PenAndInk final : public hw::Style {
     int tone_ = kShaded;
     float spacing_px_ = 5.5f, stroke_width_px_ = 1.0f, stroke_length_px_ = 90.0f, wobble_px_ = 0.5f;
     float hatch_deg_ = 52.0f, cross_deg_ = 70.0f;
-    float darkness_ = 0.62f, white_from_ = 0.78f, shadow_below_ = 0.18f, material_tone_ = 0.35f, shade_ = 0.0f;
+    float darkness_ = 0.64f, white_from_ = 0.84f, shadow_below_ = 0.10f, material_tone_ = 0.25f, shade_ = 0.0f;
     glm::vec3 paper_{0.99f, 0.98f, 0.95f}, ink_{0.09f, 0.08f, 0.08f}, uncertain_{0.99f, 0.98f, 0.95f};
-    float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f;
+    float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f, ink_map_detail_ = 0.7f;
     hw::MapName hatch_{"fine"}, ink_map_;
     hw::Program program_;
 };

@@ -10,7 +10,7 @@ uniform vec3 ink_colour;
 uniform vec3 uncertain_colour;
 uniform vec2 from_material;      // share of the material's colour in the paper's and in the ink's; with MATERIAL_COLOUR
 uniform float shade;
-uniform float ink_map_strength;
+uniform vec2 ink_map_look;         // strength, and how much finer than one texel a pixel
 
 // The mean colour of the material: its texture's coarsest level.
 vec3 hw_mean_colour()
@@ -52,8 +52,8 @@ float hw_hatching(HwSurface surface, float light)
 float hw_ink_map_detail(HwSurface surface)
 {
 #ifdef HW_INK_MAP
-    return ink_map_strength * hw_ink_map_ink(hw_ink_map, hw_ink_info, surface.hatch_uv * kHwUp,
-                                             surface.hatch_uv_dx * kHwUp, surface.hatch_uv_dy * kHwUp, 0.0);
+    return ink_map_look.x * hw_ink_map_ink(hw_ink_map, hw_ink_info, surface.hatch_uv * kHwUp,
+                                             surface.hatch_uv_dx * kHwUp, surface.hatch_uv_dy * kHwUp, ink_map_look.y);
 #else
     return 0.0;
 #endif

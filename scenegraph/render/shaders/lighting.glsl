@@ -104,19 +104,21 @@ vec3 hw_lit(HwSurface s, HwMaterial m)
     float a004 = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
     vec2 ab = vec2(-1.04, 1.04) * a004 + r.zw;
     vec3 reflected = hw_surroundings(reflect(-s.to_eye_world, n), roughness) * (f0 * ab.x + ab.y);
-    return result + m.occlusion * (diffuse * hw_ambient(n) + reflected);
+    // Light around a coloured thing has met it, or its like, before: shade is richer in colour than light.
+    vec3 around = hw_ambient(n) * (0.75 + 0.75 * m.base_colour);
+    return result + m.occlusion * (diffuse * around + reflected);
 #endif
 }
 
-// Luminance to a colour of the picture, linear, 1 is paper white: exposure, then a curve with a soft shoulder and toe
-// (Narkowicz's fit of the ACES curve).
+// Luminance to a colour of the picture, linear, 1 is paper white: exposure, then the curve of a film that saturates, which
+// rolls highlights off softly and lets them lose their colour, and keeps depth in shade.
 vec3 hw_display(vec3 luminance)
 {
 #ifdef HW_UNLIT
     return luminance * hw_exposure;
 #else
-    vec3 x = luminance * (0.75 * hw_exposure);
-    return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+    vec3 density = 1.0 - exp2(luminance * (-4.2 * hw_exposure));
+    return density * (0.5 + 0.5 * density);
 #endif
 }
 
