@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/visible_lines.hpp"
+
+namespace hw {
+
+/// The space in which hidden lines are removed: x and y in pixels, z = 1 / depth, larger is nearer. Lines and planes of
+/// the world are lines and planes here.
+using ImagePoint = glm::dvec3;
+
+/// A camera as a map into image space.
+class ImageSpace {
+ public:
+    explicit ImageSpace(const LineCamera& camera);
+
+    /// Right, up, depth from the eye; metres.
+    glm::dmat4 view_from_world() const { return view_from_world_; }
+    ImagePoint project(const glm::dvec3& view) const
+    {
+        const double inverse = 1.0 / view.z;
+        return {centre_.x + focal_px_ * view.x * inverse, centre_.y - focal_px_ * view.y * inverse, inverse};
+    }
+    double near_m() const { return near_m_; }
+    glm::dvec2 size_px() const { return 2.0 * centre_; }
+
+    /// The part of a view-space segment before the near plane, or nothing.
+    struct Clipped {
+        glm::dvec3 from;
+        glm::dvec3 to;
+        bool is_from_clipped = false;
+        bool is_to_clipped = false;
+    };
+    std::optional<Clipped> clipped(const glm::dvec3& from, const glm::dvec3& to) const;
+
+ private:
+    glm::dmat4 view_from_world_{1.0};
+    glm::dvec2 centre_{0.0};
+    double focal_px_ = 1.0;
+    double near_m_ = 0.01;
+};
+
+/// A face in image space that can hide lines.
+struct ImageTriangle {
+    std::array<ImagePoint, 3> corners;
+    std::uint32_t face = 0;  ///< Its number among all faces of all objects.
+};
+
+/// Twice the signed area of the picture of a, b, p. Exactly opposite for b, a: neighbours leave no gap between them.
+inline double side_of(const ImagePoint& a, const ImagePoint& b, double x, double y)
+{
+    const bool is_in_order = a.x < b.x || (a.x == b.x && a.y < b.y);
+    const ImagePoint& u = is_in_order ? a : b;
+    const ImagePoint& v = is_in_order ? b : a;
+    const double area = (v.x - u.x) * (y - u.y) - (v.y - u.y) * (x - u.x);
+    return is_in_order ? area : -area;
+}
+
+/// Appends the picture of a triangle, cut by the near plane into up to two; nothing when it is behind or edge-on.
+void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& corners_view, std::uint32_t face,
+                      std::vector<ImageTriangle>& triangles);
+
+}  // namespace hw

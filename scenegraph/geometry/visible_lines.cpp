@@ -1,0 +1,266 @@
+// Appel's invisibility changes only where a line passes behind a contour; the number itself is not carried along, since at
+// vertices it is a matter of many cases: the middle of every piece is looked at anew. That is exact for the piece,
+// whatever happened before it.
+#include "geometry/visible_lines.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "geometry/image_grid.hpp"
+#include "geometry/image_space.hpp"
+#include "geometry/line_chains.hpp"
+#include "geometry/line_gather.hpp"
+
+namespace hw {
+namespace {
+
+constexpr double kDepthTolerance = 2e-7;  // relative: lines on a face and on its coplanar neighbour are not hidden
+constexpr double kShortestPx = 1e-4;      // two cuts closer than this are one
+constexpr double kEndSlack = 1e-7;        // a contour that ends this close to a line still cuts it
+constexpr std::size_t kLinesPerTask = 32;
+
+/// A line in the picture: the part of it that the picture shows.
+struct ImageLine {
+    ImagePoint from;
+    ImagePoint to;
+    bool is_from_whole;  ///< `from` is the line's own end, not where it was clipped.
+    bool is_to_whole;
+};
+
+/// A part of a line that is visible, or hidden, as a whole.
+struct LinePart {
+    std::uint32_t line;
+    bool is_visible;
+    LinePiece piece;
+};
+
+/// Cuts a line at the picture's frame; nothing when it is outside.
+std::optional<ImageLine> in_picture(const ImageLine& line, const glm::dvec2& size)
+{
+    double begin = 0.0, end = 1.0;
+    const glm::dvec3 direction = line.to - line.from;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double at = line.from[axis], step = direction[axis];
+        if (step == 0.0) {
+            if (at < 0.0 || at > size[axis]) return std::nullopt;
+            continue;
+        }
+        const double enter = (step > 0.0 ? -at : size[axis] - at) / step;
+        const double leave = (step > 0.0 ? size[axis] - at : -at) / step;
+        begin = std::max(begin, enter);
+        end = std::min(end, leave);
+    }
+    if (begin >= end) return std::nullopt;
+    return ImageLine{begin > 0.0 ? line.from + begin * direction : line.from,
+                     end < 1.0 ? line.from + end * direction : line.to, line.is_from_whole && begin == 0.0,
+                     line.is_to_whole && end == 1.0};
+}
+
+class HiddenLines {
+ public:
+    HiddenLines(LineDrawing drawing, const ImageSpace& space)
+        : drawing_(std::move(drawing)), space_(space), triangle_grid_(space.size_px(), cell_px()),
+          contour_grid_(space.size_px(), 2.0 * cell_px())
+    {
+        tbb::parallel_invoke([&] { fill_triangles(); }, [&] { fill_contours(); });
+    }
+
+    std::vector<LinePart> run() const
+    {
+        const std::size_t tasks = (drawing_.lines.size() + kLinesPerTask - 1) / kLinesPerTask;
+        std::vector<std::vector<LinePart>> parts(tasks);
+        tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+            std::vector<double> cuts;
+            const std::size_t end = std::min((task + 1) * kLinesPerTask, drawing_.lines.size());
+            for (std::size_t line = task * kLinesPerTask; line < end; ++line) {
+                look_at(static_cast<std::uint32_t>(line), cuts, parts[task]);
+            }
+        });
+        std::vector<LinePart> all;
+        for (const auto& some : parts) all.insert(all.end(), some.begin(), some.end());
+        return all;
+    }
+    const DrawnLine& line(std::uint32_t index) const { return drawing_.lines[index]; }
+
+ private:
+    /// About one triangle a cell where triangles are small, never finer than the lists are worth.
+    double cell_px() const
+    {
+        const glm::dvec2 size = space_.size_px();
+        const double triangles = std::max<double>(1.0, static_cast<double>(drawing_.triangles.size()));
+        return std::clamp(std::sqrt(2.0 * size.x * size.y / triangles), 4.0, 32.0);
+    }
+    void fill_triangles()
+    {
+        triangle_grid_.fill(static_cast<std::uint32_t>(drawing_.triangles.size()), [&](std::uint32_t i, auto&& visit) {
+            triangle_grid_.for_each_cell(drawing_.triangles[i], visit);
+        });
+    }
+    void fill_contours()
+    {
+        contour_grid_.fill(static_cast<std::uint32_t>(drawing_.contours.size()), [&](std::uint32_t i, auto&& visit) {
+            contour_grid_.for_each_cell(drawing_.contours[i].from, drawing_.contours[i].to, visit);
+        });
+    }
+
+    void look_at(std::uint32_t index, std::vector<double>& cuts, std::vector<LinePart>& parts) const
+    {
+        const DrawnLine& drawn = drawing_.lines[index];
+        const auto part = space_.clipped(drawn.from_view, drawn.to_view);
+        if (!part) return;
+        const auto seen = in_picture({space_.project(part->from), space_.project(part->to), !part->is_from_clipped,
+                                      !part->is_to_clipped},
+                                     space_.size_px());
+        if (!seen) return;
+        const double length = glm::distance(glm::dvec2(seen->from), glm::dvec2(seen->to));
+        if (length == 0.0) return;
+        cuts.assign({0.0, 1.0});
+        cut_by_contours(*seen, cuts);
+        cut_by_faces(*seen, cuts);
+        std::sort(cuts.begin(), cuts.end());
+        const double shortest = kShortestPx / length;
+        std::size_t kept = 1;
+        for (std::size_t i = 1; i + 1 < cuts.size(); ++i) {
+            if (cuts[i] - cuts[kept - 1] > shortest && 1.0 - cuts[i] > shortest) cuts[kept++] = cuts[i];
+        }
+        cuts[kept++] = 1.0;
+        cuts.resize(kept);
+        add_parts(index, *seen, cuts, parts);
+    }
+
+    void add_parts(std::uint32_t index, const ImageLine& seen, const std::vector<double>& cuts,
+                   std::vector<LinePart>& parts) const
+    {
+        const DrawnLine& drawn = drawing_.lines[index];
+        const auto at = [&](double t) { return t == 1.0 ? seen.to : glm::mix(seen.from, seen.to, t); };
+        const std::size_t first = parts.size();
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const bool is_visible = !is_hidden(at(0.5 * (cuts[i] + cuts[i + 1])), drawn);
+            if (parts.size() > first && parts.back().is_visible == is_visible) {
+                parts.back().piece.to = glm::dvec2(at(cuts[i + 1]));
+                continue;
+            }
+            parts.push_back({index, is_visible, {glm::dvec2(at(cuts[i])), glm::dvec2(at(cuts[i + 1])), kFreeEnd, kFreeEnd}});
+        }
+        if (seen.is_from_whole) parts[first].piece.from_vertex = drawn.vertices[0];
+        if (seen.is_to_whole) parts.back().piece.to_vertex = drawn.vertices[1];
+    }
+
+    void cut_by_contours(const ImageLine& line, std::vector<double>& cuts) const
+    {
+        contour_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
+            for (const std::uint32_t item : contour_grid_.items(cell)) {
+                const ContourLine& contour = drawing_.contours[item];
+                const double a = side_of(contour.from, contour.to, line.from.x, line.from.y);
+                const double b = side_of(contour.from, contour.to, line.to.x, line.to.y);
+                const double t = a / (a - b);
+                if (!(t > 0.0 && t < 1.0)) continue;
+                const double c = side_of(line.from, line.to, contour.from.x, contour.from.y);
+                const double d = side_of(line.from, line.to, contour.to.x, contour.to.y);
+                const double s = c / (c - d);
+                if (!(s > -kEndSlack && s < 1.0 + kEndSlack)) continue;
+                const double contour_z = glm::mix(contour.from.z, contour.to.z, s);
+                if (contour_z > glm::mix(line.from.z, line.to.z, t) * (1.0 - 1e-6)) cuts.push_back(t);
+            }
+        });
+    }
+
+    static bool is_inside(const ImageTriangle& triangle, double x, double y)
+    {
+        const auto& [a, b, c] = triangle.corners;
+        const double ab = side_of(a, b, x, y), bc = side_of(b, c, x, y), ca = side_of(c, a, x, y);
+        return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
+    }
+
+    /// How far before the triangle's plane a point is, in 1 / depth times twice the triangle's area.
+    static double before(const ImageTriangle& triangle, const ImagePoint& p)
+    {
+        const auto& [a, b, c] = triangle.corners;
+        return side_of(a, b, p.x, p.y) * (p.z - c.z) + side_of(b, c, p.x, p.y) * (p.z - a.z) +
+               side_of(c, a, p.x, p.y) * (p.z - b.z);
+    }
+
+    void cut_by_faces(const ImageLine& line, std::vector<double>& cuts) const
+    {
+        const double farthest = std::min(line.from.z, line.to.z);
+        triangle_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
+            for (const std::uint32_t item : triangle_grid_.items(cell)) {
+                const ImageTriangle& triangle = drawing_.triangles[item];
+                const auto& [p, q, r] = triangle.corners;
+                if (std::max({p.z, q.z, r.z}) < farthest) continue;
+                const double a = before(triangle, line.from), b = before(triangle, line.to);
+                const double t = a / (a - b);
+                if (!(t > kEndSlack && t < 1.0 - kEndSlack)) continue;
+                const ImagePoint at = glm::mix(line.from, line.to, t);
+                if (is_inside(triangle, at.x, at.y)) cuts.push_back(t);
+            }
+        });
+    }
+
+    bool is_hidden(const ImagePoint& p, const DrawnLine& drawn) const
+    {
+        for (const std::uint32_t item : triangle_grid_.items(triangle_grid_.cell_at(p.x, p.y))) {
+            const ImageTriangle& triangle = drawing_.triangles[item];
+            if (triangle.face == drawn.faces[0] || triangle.face == drawn.faces[1]) continue;
+            const auto& [a, b, c] = triangle.corners;
+            const double limit = p.z * (1.0 + kDepthTolerance);
+            if (std::max({a.z, b.z, c.z}) <= limit) continue;
+            const double ab = side_of(a, b, p.x, p.y), bc = side_of(b, c, p.x, p.y), ca = side_of(c, a, p.x, p.y);
+            if (!((ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0))) continue;
+            const double area = ab + bc + ca;
+            if ((ab * c.z + bc * a.z + ca * b.z) / area > limit) return true;
+        }
+        return false;
+    }
+
+    LineDrawing drawing_;
+    const ImageSpace& space_;
+    ImageGrid triangle_grid_;
+    ImageGrid contour_grid_;
+};
+
+/// Joins the parts of each object, class and visibility.
+std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenLines& hidden, bool with_hidden)
+{
+    if (!with_hidden) std::erase_if(parts, [](const LinePart& part) { return !part.is_visible; });
+    const auto key = [&](const LinePart& part) {
+        const DrawnLine& line = hidden.line(part.line);
+        return std::uint64_t{line.object} << 8 | static_cast<std::uint64_t>(line.line_class) << 1 |
+               (part.is_visible ? 0u : 1u);
+    };
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const LinePart& a, const LinePart& b) { return key(a) < key(b); });
+    std::vector<VisibleLine> lines;
+    std::vector<LinePiece> pieces;
+    for (std::size_t begin = 0; begin < parts.size();) {
+        std::size_t end = begin;
+        pieces.clear();
+        while (end < parts.size() && key(parts[end]) == key(parts[begin])) pieces.push_back(parts[end++].piece);
+        const DrawnLine& first = hidden.line(parts[begin].line);
+        for (LineChain& chain : join_pieces(pieces)) {
+            lines.push_back({.object = first.object,
+                             .line_class = first.line_class,
+                             .is_visible = parts[begin].is_visible,
+                             .is_closed = chain.is_closed,
+                             .points_px = std::move(chain.points)});
+        }
+        begin = end;
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::vector<VisibleLine> find_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
+                                            const VisibleLineOptions& options)
+{
+    const ImageSpace space(camera);
+    const HiddenLines hidden(gather_lines(objects, camera, space, options), space);
+    return joined_lines(hidden.run(), hidden, options.with_hidden);
+}
+
+}  // namespace hw
