@@ -15,6 +15,7 @@ void add_check_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_silhouettes_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 void add_new_style_command(CLI::App& app);
 void add_schema_command(CLI::App& app);
 

@@ -1,0 +1,100 @@
+// Runs the measurements one after the other, keeps what they write as JSON, and makes one page of it. A measurement that
+// fails leaves its reason on the page and the others run on.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/log.hpp"
+#include "hatchway/commands.hpp"
+#include "report/report_page.hpp"
+
+namespace hw {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArguments {
+    fs::path out;
+    fs::path data;
+    std::string commit = "unknown commit";
+    std::vector<std::string> only;
+    bool is_reused = false;
+};
+
+std::string processor_name()
+{
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+    return "unknown processor";
+}
+
+std::string today()
+{
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    char text[16] = {};
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+    return text;
+}
+
+void run_measure(const ReportSection& section, const fs::path& json)
+{
+    CLI::App app;
+    add_measure_command(app);
+    std::vector<std::string> words{json.string(), "--json"};
+    words.insert(words.end(), section.arguments.rbegin(), section.arguments.rend());
+    words.push_back("measure");
+    app.parse(words);  // takes the words from the last to the first
+}
+
+MeasuredSection measured(const ReportSection& section, const ReportArguments& arguments)
+{
+    const fs::path json = arguments.out / (section.name + ".json");
+    MeasuredSection result{section, {}, ""};
+    try {
+        if (!arguments.is_reused) run_measure(section, json);
+        result.table = read_json_table(json);
+    } catch (const std::exception& error) {
+        result.failure = error.what();
+        log_warning("measure " + section.name + ": " + result.failure);
+    }
+    return result;
+}
+
+void write_report(const ReportArguments& arguments)
+{
+    if (!fs::is_directory(arguments.out))
+        throw Error({.what = "is no folder", .file = arguments.out.string(), .expected = "an existing folder for --out"});
+    std::vector<MeasuredSection> sections;
+    for (const ReportSection& section : report_plan(installation_prefix() / "share" / "hatchway", arguments.data)) {
+        const auto& only = arguments.only;
+        if (!only.empty() && std::find(only.begin(), only.end(), section.name) == only.end()) continue;
+        sections.push_back(measured(section, arguments));
+    }
+    const ReportOrigin origin{HATCHWAY_VERSION, arguments.commit, processor_name(),
+                              static_cast<int>(std::thread::hardware_concurrency()), today()};
+    const fs::path page = arguments.out / "index.html";
+    write_file_atomically(page, report_page(origin, sections));
+    std::cout << page.string() << '\n';
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<ReportArguments>();
+    CLI::App* command = app.add_subcommand("report", "Runs the measurements and makes one page of time against error");
+    command->add_option("--out", arguments->out, "An existing folder for index.html and the JSON files")->required();
+    command->add_option("--data", arguments->data, "A folder with models/*.glb and scenes/*.glb to measure, too");
+    command->add_option("--commit", arguments->commit, "The commit that is measured, for the page");
+    command->add_option("--only", arguments->only, "Names of sections; default: all");
+    command->add_flag("--reuse", arguments->is_reused, "Make the page from the JSON files that are there");
+    command->callback([arguments] { write_report(*arguments); });
+}
+
+}  // namespace hw

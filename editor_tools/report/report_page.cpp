@@ -1,0 +1,91 @@
+#include "report/report_page.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <sstream>
+
+#include "report/svg_plot.hpp"
+
+namespace hw {
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// The sum of the columns named in "a+b"; not a number when one is missing.
+double sum_in(const std::map<std::string, JsonCell>& row, const std::string& columns)
+{
+    double sum = 0.0;
+    std::istringstream names(columns);
+    for (std::string name; std::getline(names, name, '+');) sum += number_in(row, name, kMissing);
+    return sum;
+}
+
+std::string series_name(const std::map<std::string, JsonCell>& row, const std::vector<std::string>& columns)
+{
+    std::string name;
+    for (const std::string& column : columns) name += (name.empty() ? "" : ", ") + text_in(row, column);
+    return name;
+}
+
+std::string table_of(const JsonTable& table)
+{
+    std::string html = "<table><tr>";
+    for (const std::string& column : table.columns) html += "<th>" + escaped(column) + "</th>";
+    html += "</tr>\n";
+    for (const auto& row : table.rows) {
+        html += "<tr>";
+        for (const std::string& column : table.columns) html += "<td>" + escaped(text_in(row, column)) + "</td>";
+        html += "</tr>\n";
+    }
+    return html + "</table>\n";
+}
+
+std::string section_html(const MeasuredSection& measured)
+{
+    std::string command = "hatchway measure";
+    for (const std::string& argument : measured.section.arguments) command += ' ' + argument;
+    std::string html = fmt::format("<h2>{}</h2>\n<p>{}</p>\n<pre>{}</pre>\n", escaped(measured.section.title),
+                                   escaped(measured.section.says), escaped(command));
+    if (!measured.failure.empty()) return html + "<p class=\"failure\">" + escaped(measured.failure) + "</p>\n";
+    for (const PlotRecipe& recipe : measured.section.plots) html += svg_of(plot_of(recipe, measured.table));
+    return html + "<details><summary>All rows</summary>\n" + table_of(measured.table) + "</details>\n";
+}
+
+constexpr const char* kStyleSheet =
+    "body{font:15px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}"
+    "table{border-collapse:collapse;font-size:12px;display:block;overflow-x:auto}"
+    "td,th{border:1px solid #ddd;padding:2px 6px;text-align:right}"
+    "pre{background:#f5f3ee;padding:.5rem;overflow-x:auto}.failure{color:#a00}svg{max-width:100%;height:auto}";
+
+}  // namespace
+
+Plot plot_of(const PlotRecipe& recipe, const JsonTable& table)
+{
+    Plot plot{recipe.title, recipe.x_label, recipe.y_label, {}};
+    for (const auto& row : table.rows) {
+        const double x = sum_in(row, recipe.x_column);
+        const double y = sum_in(row, recipe.y_column);
+        if (!(x >= 0.0) || !(y >= 0.0)) continue;
+        const std::string name = series_name(row, recipe.series_columns);
+        auto series = std::find_if(plot.series.begin(), plot.series.end(),
+                                   [&](const PlotSeries& candidate) { return candidate.name == name; });
+        if (series == plot.series.end()) series = plot.series.insert(series, {name, {}, recipe.is_joined});
+        series->points.emplace_back(x, y);
+    }
+    return plot;
+}
+
+std::string report_page(const ReportOrigin& origin, const std::vector<MeasuredSection>& sections)
+{
+    std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Hatchway: measured</title>";
+    html += fmt::format("<style>{}</style></head>\n<body>\n<h1>Hatchway: time against error</h1>\n", kStyleSheet);
+    html += fmt::format("<p>Hatchway {} ({}), {}, {} threads, {}. Every row holds a time and the error of the same run "
+                        "against a reference that shares no source file with the code.</p>\n",
+                        escaped(origin.version), escaped(origin.commit), escaped(origin.processor), origin.threads,
+                        escaped(origin.date));
+    for (const MeasuredSection& section : sections) html += section_html(section);
+    return html + "</body></html>\n";
+}
+
+}  // namespace hw

@@ -1,0 +1,103 @@
+#include "report/report_plan.hpp"
+
+#include <algorithm>
+
+namespace hw {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> models_in(const fs::path& folder)
+{
+    std::vector<std::string> files;
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(folder, missing))
+        if (entry.path().extension() == ".glb") files.push_back(entry.path().string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second,
+                                const std::vector<std::string>& third = {})
+{
+    first.insert(first.end(), second.begin(), second.end());
+    first.insert(first.end(), third.begin(), third.end());
+    return first;
+}
+
+ReportSection silhouettes_section(const std::vector<std::string>& models)
+{
+    return {.name = "silhouettes",
+            .title = "Silhouettes",
+            .says = "Milliseconds to find the silhouette edges from one eye, and the wrong edges against rational "
+                    "arithmetic, for every method and precision, at growing offsets from the origin.",
+            .arguments = joined({"silhouettes"}, models, {"--offset", "0,1e3,1e5,1e6"}),
+            .plots = {{.title = "Time against wrong edges (all models and offsets)",
+                       .x_column = "ms_median",
+                       .x_label = "median ms for a view",
+                       .y_column = "fp+fn",
+                       .y_label = "false + missing edges, all views",
+                       .series_columns = {"method", "precision"}}}};
+}
+
+ReportSection frame_section(const std::string& level)
+{
+    return {.name = "frame",
+            .title = "Frames",
+            .says = "Milliseconds of a frame along the level's tour at 1280 x 720, and the share of pixels that differ "
+                    "from the same frame drawn without the PVS.",
+            .arguments = {"frame", level, "--frames", "30"},
+            .plots = {{.title = "Frame time against what the PVS changes",
+                       .x_column = "median_ms.total",
+                       .x_label = "median ms of a frame",
+                       .y_column = "pixels_unlike_without_pvs",
+                       .y_label = "share of pixels that differ",
+                       .series_columns = {"style", "samples", "pvs"}}}};
+}
+
+ReportSection pvs_section(const std::vector<std::string>& scenes)
+{
+    return {.name = "pvs",
+            .title = "Potentially visible sets",
+            .says = "Seconds to compile, the average visible share, and claims that sampled rays prove wrong: there "
+                    "must be none.",
+            .arguments = joined({"pvs"}, scenes),
+            .plots = {{.title = "Compile time against over-estimate",
+                       .x_column = "seconds",
+                       .x_label = "seconds",
+                       .y_column = "over_estimate",
+                       .y_label = "visible / visible by sampling",
+                       .series_columns = {"scene", "effort"}}}};
+}
+
+ReportSection lightmap_section()
+{
+    return {.name = "lightmap",
+            .title = "Lightmaps",
+            .says = "Seconds and error of baked light against closed-form form factors and a converged reference, over "
+                    "the number of samples.",
+            .arguments = {"lightmap"},
+            .plots = {{.title = "Time against error",
+                       .x_column = "seconds",
+                       .x_label = "seconds",
+                       .y_column = "rms",
+                       .y_label = "relative RMS error",
+                       .series_columns = {"case"},
+                       .is_joined = true}}};
+}
+
+}  // namespace
+
+std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& data)
+{
+    const std::string hall = (content / "levels" / "hall.level.json").string();
+    std::vector<std::string> models{(content / "models" / "prism.glb").string()};
+    std::vector<std::string> scenes{hall};
+    if (!data.empty()) {
+        models = joined(std::move(models), models_in(data / "models"));
+        scenes = joined(std::move(scenes), models_in(data / "scenes"));
+    }
+    return {silhouettes_section(models), frame_section(hall), pvs_section(scenes), lightmap_section()};
+}
+
+}  // namespace hw

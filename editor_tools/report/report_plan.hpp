@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hw {
+
+/// How one figure is made from the rows of a measurement.
+struct PlotRecipe {
+    std::string title;
+    std::string x_column;
+    std::string x_label;
+    std::string y_column;                    ///< Several joined by '+': their sum.
+    std::string y_label;
+    std::vector<std::string> series_columns;  ///< Rows with equal cells in these are one series.
+    bool is_joined = false;
+};
+
+/// One measurement of the report: a command line after `hatchway measure`, and what is shown of its rows.
+struct ReportSection {
+    std::string name;   ///< Of the JSON file, without ending.
+    std::string title;
+    std::string says;   ///< What is measured against what, in one or two sentences.
+    std::vector<std::string> arguments;
+    std::vector<PlotRecipe> plots;
+};
+
+/// The measurements that are made with what the project itself brings (`content`, its folder), and, when `data` is not
+/// empty, with the models and scenes found in that folder, too.
+std::vector<ReportSection> report_plan(const std::filesystem::path& content, const std::filesystem::path& data);
+
+}  // namespace hw
