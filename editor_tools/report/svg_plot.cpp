@@ -58,7 +58,7 @@ Axis axis_over(const Plot& plot, double from_px, double to_px, Pick pick)
 
 std::string label_of_decade(int decade)
 {
-    return decade >= -3 && decade <= 4 ? fmt::format("{:g}", std::pow(10.0, decade)) : fmt::format("1e{}", decade);
+    return decade >= -3 && decade <= 3 ? fmt::format("{:g}", std::pow(10.0, decade)) : fmt::format("1e{}", decade);
 }
 
 std::string text_at(double x, double y, const std::string& anchor, const std::string& text)
