@@ -46,10 +46,11 @@ struct Rays {
     }
 };
 
+/// A sector at the back of a face is not where the eye is meant to be, also when another face looks into it: that one
+/// stands inside of a solid or of an open shell.
 bool is_open(Vote from, Vote to)
 {
-    if (from == Vote::open || to == Vote::open) return true;
-    return from == Vote::unknown && to == Vote::unknown;
+    return from != Vote::solid && to != Vote::solid;
 }
 
 }  // namespace

@@ -158,3 +158,13 @@ TEST(cross_section, both_sides_of_a_double_sided_sheet_count)
     EXPECT_FALSE(hw::is_flat_across(bent, 0.01));
     EXPECT_FALSE(hw::is_flat_across(std::span(flat).first(1), 0.01));
 }
+
+TEST(cross_section, a_wall_inside_of_an_open_shell_makes_no_line_on_its_outside)
+{
+    // A straight front, and behind it one side of a partition: who looks at the front sees neither.
+    const std::array<hw::FaceAtLine, 3> front{{{0.0, true, false}, {2 * kQuarter, false, true}, {-kQuarter, false, true}}};
+    EXPECT_TRUE(hw::is_flat_across(front, 0.01));
+    // The same wall in front of it is seen.
+    const std::array<hw::FaceAtLine, 3> fence{{{0.0, true, false}, {2 * kQuarter, false, true}, {kQuarter, false, true}}};
+    EXPECT_FALSE(hw::is_flat_across(fence, 0.01));
+}
