@@ -13,7 +13,7 @@ struct LightCase {
     std::string name;
     Scene scene;
     LightSources sources;
-    double luxels_per_m = 6.0;
+    double luxels_per_m = 8.0;
     ObjectId measured = 0;  ///< The object whose light is compared.
     /// Lux at a place; empty: compared with the same bake of many more samples.
     std::function<double(const glm::dvec3& place_world, const glm::dvec3& normal_world)> reference;

@@ -89,12 +89,23 @@ SceneLight choose_lights(std::span<const Light> lights, const Box& bounds_world)
     return result;
 }
 
+float white_luminance(float exposure_ev)
+{
+    return 1.2f * std::exp2(exposure_ev);
+}
+
+AmbientLight ambient_light(float exposure_ev, bool has_lights)
+{
+    const float white = white_luminance(exposure_ev) * (has_lights ? 1.0f : kUnlitSceneGain);
+    return {kSkyShare * white, kGroundShare * white};
+}
+
 void stream_frame_block(GpuBuffer& buffer, const View& view, const SceneLight& light, const ShadowFrame& shadow)
 {
     FrameBlock block{};
-    const float exposure = 1.0f / (1.2f * std::exp2(light.exposure_ev));
+    const float exposure = 1.0f / white_luminance(light.exposure_ev);
     const glm::vec2 range = depth_range(view);
-    const float gain = light.lights.empty() ? kUnlitSceneGain : 1.0f;
+    const AmbientLight ambient = ambient_light(light.exposure_ev, !light.lights.empty());
     block.view_from_world = view.view_from_world;
     block.clip_from_view = view.clip_from_view;
     block.shadow_from_world = shadow.shadow_from_world;
@@ -102,8 +113,8 @@ void stream_frame_block(GpuBuffer& buffer, const View& view, const SceneLight& l
     block.size_scale_focal = glm::vec4(view.size_px, view.px_scale, focal_px(view));
     block.exposure_near_far = glm::vec4(exposure, range.x, range.y, is_orthographic(view) ? 1.0f : 0.0f);
     block.background_linear = glm::vec4(light.background_linear, 1.0f);
-    block.ambient_sky = glm::vec4(kSkyShare * gain / exposure, 0.0f);
-    block.ambient_ground = glm::vec4(kGroundShare * gain / exposure, 0.0f);
+    block.ambient_sky = glm::vec4(ambient.sky_luminance, 0.0f);
+    block.ambient_ground = glm::vec4(ambient.ground_luminance, 0.0f);
     block.shadow_params =
         glm::vec4(1.0f / shadow.size_px, shadow.texel_m, std::max(light.main_light, 0), shadow.is_drawn ? 1.0f : 0.0f);
     for (std::size_t i = 0; i < light.lights.size(); ++i) fill_light(block, i, light.lights[i]);

@@ -20,6 +20,19 @@ struct SceneLight {
     glm::vec3 background_linear{1.0f};
 };
 
+/// Light from everywhere, cd/m^2.
+struct AmbientLight {
+    glm::vec3 sky_luminance{0.0f};
+    glm::vec3 ground_luminance{0.0f};
+};
+
+/// What a frame takes for the light of sky and ground: shares of a white picture, so that shade stays readable in every
+/// scene; more of it where nothing else shines.
+AmbientLight ambient_light(float exposure_ev, bool has_lights);
+
+/// The luminance that an exposure shows as white.
+float white_luminance(float exposure_ev);
+
 /// Chooses the lights that shaders get: all suns first, then by how much they light the middle of `bounds_world`.
 /// Depends on the scene alone, so that pictures do not depend on the viewer's way.
 SceneLight choose_lights(std::span<const Light> lights, const Box& bounds_world);

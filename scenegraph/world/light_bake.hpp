@@ -8,8 +8,8 @@
 namespace hw {
 
 struct BakeOptions {
-    double luxels_per_m = 6.0;
-    std::uint32_t samples = 256;        ///< Of each luxel; rounded up to a power of two.
+    double luxels_per_m = 8.0;
+    std::uint32_t samples = 512;        ///< Of each luxel; rounded up to a power of two.
     std::uint64_t budget = 8ull << 20;  ///< Luxels.
 };
 

@@ -24,6 +24,15 @@ class LuxelGrid {
         for (std::uint32_t i = 0; i < luxels.size(); ++i)
             if (is_charted[luxels[i].object]) at_[luxels[i].place] = i;
     }
+    /// The luxel of the same chart `step` away from luxel i; kNoLuxel: none.
+    std::uint32_t at(std::uint32_t i, glm::ivec2 step) const
+    {
+        const int width = size_.x;
+        const glm::ivec2 place = glm::ivec2(luxels_[i].place % width, luxels_[i].place / width) + step;
+        if (place.x < 0 || place.y < 0 || place.x >= size_.x || place.y >= size_.y) return kNoLuxel;
+        const std::uint32_t other = at_[static_cast<std::size_t>(place.y) * width + place.x];
+        return other != kNoLuxel && luxels_[other].chart == luxels_[i].chart ? other : kNoLuxel;
+    }
     template <typename Visit>
     void visit_neighbours(std::uint32_t i, const Visit& visit) const
     {
@@ -43,6 +52,23 @@ class LuxelGrid {
     glm::ivec2 size_;
     std::vector<std::uint32_t> at_;
 };
+
+using LuxelPair = std::pair<std::uint32_t, std::uint32_t>;
+
+void carry_on_over_edges(const LuxelGrid& grid, const GatheredLight& gathered, std::span<const LuxelPair> parted,
+                         std::vector<glm::vec3>& light)
+{
+    for (std::uint32_t i = 0; i < light.size(); ++i) {
+        const glm::ivec2 step = gathered.places[i].mirrored;
+        if (step == glm::ivec2(0)) continue;
+        const std::uint32_t inner = grid.at(i, step);
+        if (inner == kNoLuxel || gathered.places[inner].is_buried || gathered.places[i].is_buried) continue;
+        if (std::binary_search(parted.begin(), parted.end(), LuxelPair(std::min(i, inner), std::max(i, inner))))
+            continue;
+        const glm::vec3 edge = gathered.illuminance[i];
+        light[i] = glm::clamp(2.0f * edge - gathered.illuminance[inner], glm::vec3(0.0f), 2.0f * edge);
+    }
+}
 
 std::vector<bool> known_luxels(const GatheredLight& gathered)
 {
@@ -126,6 +152,9 @@ std::vector<glm::vec3> filled_light(const GatheredLight& gathered, const Scene& 
 {
     const std::vector<Luxel>& luxels = gathered.points.luxels();
     std::vector<glm::vec3> light(gathered.illuminance.begin(), gathered.illuminance.end());
+    const std::vector<bool> is_charted = gathered.points.charted_objects();
+    const LuxelGrid grid(luxels, lightmap, is_charted);
+    carry_on_over_edges(grid, gathered, parted, light);
     const auto darken = [&](std::uint32_t to, std::uint32_t from) {
         if (luminance_of(gathered.illuminance[from]) < luminance_of(light[to])) light[to] = gathered.illuminance[from];
     };
@@ -134,8 +163,7 @@ std::vector<glm::vec3> filled_light(const GatheredLight& gathered, const Scene& 
         darken(b, a);
     }
     std::vector<bool> is_known = known_luxels(gathered);
-    const std::vector<bool> is_charted = gathered.points.charted_objects();
-    fill_charts(LuxelGrid(luxels, lightmap, is_charted), is_known, light);
+    fill_charts(grid, is_known, light);
     for (std::size_t first = 0; first < luxels.size();) {
         std::size_t last = first;
         while (last < luxels.size() && luxels[last].object == luxels[first].object &&

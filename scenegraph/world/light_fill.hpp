@@ -18,7 +18,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> parted_luxels(const LuxelPo
                                                                    std::span<const LuxelPlace> places,
                                                                    const Lightmap& lightmap);
 
-/// Gives every luxel the value that blending with its neighbours may show. A picture's point right at a wall blends
+/// Gives every luxel the value that blending with its neighbours may show. A luxel outside of its chart holds the light
+/// of the chart's edge; it goes on the line from the inside through the edge, so that the blend at the edge is right. A
+/// picture's point right at a wall blends
 /// luxels of both sides, so of two luxels that something parts the lighter takes the darker one's value: a shadow at
 /// the foot of a wall is never noticed, light that comes through it is. Luxels inside of solids take the darkest
 /// neighbour's value for the same reason; vertices there the mean of those they share a triangle with.

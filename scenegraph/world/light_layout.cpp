@@ -67,7 +67,7 @@ int strip_width(std::span<const glm::ivec2> sizes, int least)
         area += static_cast<double>(size.x) * size.y;
         widest = std::max(widest, size.x);
     }
-    return std::max(widest, static_cast<int>(std::ceil(std::sqrt(1.1 * area))));
+    return sizes.size() < 2 ? widest : std::max(widest, static_cast<int>(std::ceil(std::sqrt(1.1 * area))));
 }
 
 /// Gives every corner of a chart's triangles its place, and a vertex of its own where another chart has taken it.

@@ -267,16 +267,13 @@ LightReceiver LuxelPoints::vertex_receiver(const Luxel& luxel, const glm::vec2& 
     return receiver;
 }
 
-LightReceiver LuxelPoints::receiver(const Luxel& luxel, const glm::vec2& share) const
+glm::vec2 LuxelPoints::nearest_on_chart(const Luxel& luxel, const glm::vec2& wanted, std::uint32_t& triangle) const
 {
     const int mesh_index = scene_.objects[luxel.object].mesh;
     const LightmapLayout& layout = lightmap_.layouts[mesh_index];
-    if (layout.is_per_vertex) return vertex_receiver(luxel, share);
-    const glm::vec2 wanted = glm::vec2(luxel.at) + share;
-    std::uint32_t triangle = 0;
+    const auto key = static_cast<std::size_t>(luxel.at.y) * layout.size.x + luxel.at.x;
     float distance = std::numeric_limits<float>::infinity();
     glm::vec2 found(0.0f);
-    const auto key = static_cast<std::size_t>(luxel.at.y) * layout.size.x + luxel.at.x;
     for (const std::uint32_t t : meshes_[mesh_index].triangles.of(key)) {
         const glm::vec2 at = flat_triangle(layout, t).nearest(wanted);
         if (glm::distance(at, wanted) >= distance) continue;
@@ -285,8 +282,18 @@ LightReceiver LuxelPoints::receiver(const Luxel& luxel, const glm::vec2& share) 
         found = at;
         if (distance == 0.0f) break;
     }
+    return found;
+}
+
+LightReceiver LuxelPoints::receiver(const Luxel& luxel, const glm::vec2& share) const
+{
+    const LightmapLayout& layout = lightmap_.layouts[scene_.objects[luxel.object].mesh];
+    if (layout.is_per_vertex) return vertex_receiver(luxel, share);
+    const glm::vec2 wanted = glm::vec2(luxel.at) + share;
+    std::uint32_t triangle = 0;
+    glm::vec2 found = nearest_on_chart(luxel, wanted, triangle);
     const FlatTriangle flat = flat_triangle(layout, triangle);
-    if (distance > 0.0f) {
+    if (found != wanted) {
         const glm::vec2 inward = (flat.corners[0] + flat.corners[1] + flat.corners[2]) / 3.0f - found;
         const float length = glm::length(inward);
         if (length > 0.0f) found += inward * std::min(0.5f, kOffEdge / length);
@@ -333,7 +340,13 @@ LuxelPlace LuxelPoints::place(const Luxel& luxel) const
         place.is_buried = is_buried(place.receiver, mixed(luxel.place));
         if (!place.is_buried) break;
     }
-    if (!place.is_buried) place.is_near_wall = has_wall_near(place.receiver);
+    if (place.is_buried) return place;
+    place.is_near_wall = has_wall_near(place.receiver);
+    if (lightmap_.layouts[scene_.objects[luxel.object].mesh].is_per_vertex) return place;
+    const glm::vec2 middle = glm::vec2(luxel.at) + 0.5f;
+    std::uint32_t triangle = 0;
+    const glm::vec2 mirrored = 2.0f * nearest_on_chart(luxel, middle, triangle) - middle;
+    place.mirrored = glm::ivec2(glm::floor(mirrored)) - luxel.at;
     return place;
 }
 

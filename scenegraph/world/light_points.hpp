@@ -19,8 +19,9 @@ struct Luxel {
 
 /// A luxel with the place of the surface that it stands for.
 struct LuxelPlace {
-    LightReceiver receiver;     ///< A point of the drawn surface near the luxel's middle.
-    bool is_buried = true;      ///< No part of the luxel lies in the open: inside of a solid.
+    glm::ivec2 mirrored{0};  ///< From a luxel outside of its chart to the one as far inside, across the chart's edge.
+    LightReceiver receiver;  ///< A point of the drawn surface near the luxel's middle.
+    bool is_buried = true;   ///< No part of the luxel lies in the open: inside of a solid.
     bool is_near_wall = false;  ///< Something stands so near that parts of the luxel may lie behind it.
 };
 
@@ -45,6 +46,7 @@ class LuxelPoints {
     struct MeshLuxels;  // of one mesh, shared by its instances
     struct Instance;
     LightReceiver receiver(const Luxel& luxel, const glm::vec2& share) const;
+    glm::vec2 nearest_on_chart(const Luxel& luxel, const glm::vec2& wanted, std::uint32_t& triangle) const;
     LightReceiver vertex_receiver(const Luxel& luxel, const glm::vec2& share) const;
     LightReceiver receiver_at(const Luxel& luxel, std::uint32_t triangle, const glm::vec3& barycentric) const;
     glm::vec3 lifted(const LightReceiver& receiver) const;

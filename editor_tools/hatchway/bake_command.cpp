@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <optional>
+
+#include "hatchway/arguments.hpp"
+#include "hatchway/commands.hpp"
+#include "io/lightmap_file.hpp"
+#include "walk/level_light.hpp"
+#include "world/light_bake.hpp"
+
+namespace hw {
+namespace {
+
+struct BakeArguments {
+    std::filesystem::path file;
+    std::string quality = "final";
+    std::optional<double> luxels_per_m;
+    std::optional<std::uint32_t> samples;
+    std::filesystem::path out;
+};
+
+BakeOptions options_of(const BakeArguments& arguments)
+{
+    BakeOptions options = bake_options(arguments.quality == "draft" ? BakeQuality::draft : BakeQuality::final);
+    if (arguments.luxels_per_m) options.luxels_per_m = *arguments.luxels_per_m;
+    if (arguments.samples) options.samples = *arguments.samples;
+    return options;
+}
+
+void bake(const BakeArguments& arguments)
+{
+    const std::filesystem::path out = arguments.out.empty() ? lightmap_path(arguments.file) : arguments.out;
+    require_writable(out, "--out");
+    const Level level = read_level_with(arguments.file, {});
+    const auto world = open_world(level, nullptr);
+    std::uint32_t luxels = 0;
+    double seconds = 0.0;
+    const Lightmap lightmap = bake_lightmap(world->scene, light_sources_of(level, world->scene), options_of(arguments),
+                                            [&](const BakeState& state) {
+                                                luxels = state.luxels;
+                                                seconds = state.seconds;
+                                            });
+    write_lightmap(out, lightmap);
+    std::cout << fmt::format("{}: {} luxels in {} x {}, {:.3g} luxels per metre; {:.1f} s\n", out.string(), luxels,
+                             lightmap.size.x, lightmap.size.y, lightmap.luxels_per_m, seconds);
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<BakeArguments>();
+    CLI::App* command = app.add_subcommand("bake", "Bakes a level's light: soft shadows and light that bounces");
+    command->add_option("level", arguments->file, "A level or a bare model")->required()->option_text("LEVEL|GLB");
+    command->add_option("--quality", arguments->quality, "draft: coarse and grainy; final: what is shipped")
+        ->check(CLI::IsMember({"draft", "final"}));
+    command->add_option("--luxels-per-m", arguments->luxels_per_m, "Density on surfaces; draft 2, final 8")
+        ->option_text("N")
+        ->check(CLI::Range(0.01, 1000.0));
+    command->add_option("--samples", arguments->samples, "Of each luxel; draft 32, final 512")
+        ->option_text("N")
+        ->check(CLI::Range(1, 65536));
+    command->add_option("--out", arguments->out, "The file; beside the level, where walk and render find it")
+        ->option_text("FILE");
+    command->callback([arguments] { bake(*arguments); });
+}
+
+}  // namespace hw
