@@ -13,7 +13,7 @@ struct Segment {
     std::uint32_t key = 0;  ///< Segments of different keys are never grouped.
 };
 
-/// Groups the segments that lie on one line, end to end or overlapping or apart, within `tolerance`. Returns lists of
+/// Groups the segments that overlap or meet and lie on one line, within `tolerance`. Returns lists of
 /// segment numbers, only those of two and more, in the order of their first member. Segments shorter than the tolerance
 /// are left out.
 std::vector<std::vector<std::uint32_t>> group_by_line(std::span<const Segment> segments, double tolerance);
