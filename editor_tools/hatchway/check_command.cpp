@@ -34,16 +34,6 @@ std::vector<std::string> doubts(const Level& level, const Scene& scene)
     for (const AssignRule& rule : level.assign)
         if (!names_something(rule, scene))
             found.push_back(fmt::format("{}: {}: names nothing in the model", level.file.string(), rule.pointer));
-    for (const auto& [name, style] : level.styles) {
-        const auto is_used = [&, &used_name = name](const AssignRule& rule) {
-            return rule.style == used_name || rule.over == used_name;
-        };
-        const bool is_in_table =
-            std::any_of(level.certainty_styles.begin(), level.certainty_styles.end(),
-                        [&, &used_name = name](const CertaintyStyle& entry) { return entry.style == used_name; });
-        if (!is_in_table && std::none_of(level.assign.begin(), level.assign.end(), is_used))
-            found.push_back(fmt::format("{}: {}: no rule uses this style", level.file.string(), style.pointer));
-    }
     return found;
 }
 

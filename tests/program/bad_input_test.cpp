@@ -41,11 +41,11 @@ class bad_input : public Test {
 
 }  // namespace
 
-TEST_F(bad_input, a_missing_file) { expect_refused(render(folder_ / "none.glb"), {"none.glb", "No such file"}); }
+TEST_F(bad_input, a_missing_file) { expect_refused(render(folder_ / "none.glb"), {"none.glb", "no such file"}); }
 
 TEST_F(bad_input, a_folder_or_a_pipe_instead_of_a_file)
 {
-    expect_refused(render(folder_.path().string()), {"regular file"});
+    expect_refused(render(folder_.path().string()), {folder_.path().string(), ".glb"});
     ASSERT_EQ(::mkfifo((folder_ / "pipe.glb").c_str(), 0600), 0);
     expect_refused(render(folder_ / "pipe.glb"), {"pipe.glb", "regular file"});
 }
@@ -155,7 +155,7 @@ TEST_F(bad_input, an_output_that_cannot_be_written)
     expect_refused(run_program({"render", model, "--out", folder_ / "out.jpg"}), {"--out", ".png"});
     expect_refused(run_program({"render", model, "--path", "turntable", "--out", folder_ / "none/out"}), {"--out"});
     expect_refused(run_program({"render", model, "--out", out_, "--json", folder_ / "none/a.json"}), {"--json"});
-    expect_refused(run_program({"render", model, "--out", "/proc/out.png"}), {"--out"});
+    expect_refused(run_program({"render", model, "--out", "/proc/out.png"}), {"/proc/out.png"});
 }
 
 TEST_F(bad_input, a_command_line_that_is_none)

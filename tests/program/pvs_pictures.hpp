@@ -11,7 +11,7 @@ struct PvsDifference {
     int eyes = 0;
     int unlike_pictures = 0;     ///< Eyes whose picture differs at all.
     double worst_share = 0.0;    ///< Of the pixels, at the worst eye.
-    double mean_visible = 0.0;   ///< Triangles drawn with the PVS over those without.
+    double drawn_share = 0.0;   ///< Triangles drawn with the PVS over those without.
     std::string worst_view;
 };
 

@@ -17,7 +17,7 @@ TEST(pvs_slow, switching_it_off_changes_no_pixel_in_photoreal)
 {
     for (const auto& scene : hw::test::pvs_scenes()) {
         const hw::test::PvsDifference difference = hw::test::compare_with_pvs(scene, "photoreal", kEyes);
-        std::cout << scene.filename() << " draws " << 100.0 * difference.mean_visible << " % of the triangles\n";
+        std::cout << scene.filename() << " draws " << 100.0 * difference.drawn_share << " % of the triangles\n";
         EXPECT_EQ(difference.unlike_pictures, 0) << scene << ' ' << difference.worst_view;
     }
 }
