@@ -47,6 +47,14 @@ SurfaceLocations locations_of(const GpuProgram& program)
             .unit_shadow = unit("hw_shadow_map")};
 }
 
+/// surface.glsl holds one discard, that of the alpha mask.
+bool has_own_discard(const ShaderText& fragment)
+{
+    int count = 0;
+    for (std::size_t at = 0; (at = fragment.text.find("discard;", at)) != std::string::npos; ++at) ++count;
+    return count > 1;
+}
+
 }  // namespace
 
 std::string feature_defines(SurfaceFeatures features)
@@ -89,6 +97,7 @@ struct ProgramStore::Family {
     std::string vertex_file;
     std::string fragment_file;
     std::string defines;
+    bool discards = false;
     std::unordered_map<SurfaceFeatures, std::unique_ptr<LinkedProgram>> variants;
 };
 
@@ -135,6 +144,7 @@ Program ProgramStore::add(const fs::path& folder, std::string_view vertex_file, 
     family->vertex_file = vertex_file;
     family->fragment_file = fragment_file;
     family->defines = defines;
+    family->discards = has_own_discard(load_shader(fragment_file, family->folders, {}));
     // Compiled at once without features: a style's mistakes show when it is prepared, not when it draws.
     family->variants[0] = compile(*family, 0);
     families_.push_back(std::move(family));
@@ -174,6 +184,11 @@ const LinkedProgram* ProgramStore::surface(Program program, SurfaceFeatures feat
     if (!program.is_valid() || program.id > families_.size()) return nullptr;
     const LinkedProgram* linked = variant(*families_[program.id - 1], features);
     return linked != nullptr || program.id == plain_.id ? linked : surface(plain_, features);
+}
+
+bool ProgramStore::discards(Program program) const
+{
+    return program.is_valid() && program.id <= families_.size() && families_[program.id - 1]->discards;
 }
 
 const LinkedProgram* ProgramStore::full_screen(Program program)

@@ -70,6 +70,8 @@ class ProgramStore {
     /// The program for these features, compiled on first use. Null for an invalid id; a combination that does not
     /// compile is logged once and gives the plain program instead.
     const LinkedProgram* surface(Program program, SurfaceFeatures features);
+    /// Whether the fragment stage discards by itself, beside the alpha mask of hw_material().
+    bool discards(Program program) const;
     const LinkedProgram* full_screen(Program program);
     /// A program of the engine from files of its own folder. Throws hw::Error.
     const LinkedProgram& engine(std::string_view vertex_file, std::string_view fragment_file,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "render/surface_drawer.hpp"
+
 namespace hw {
 namespace {
 
@@ -15,14 +17,6 @@ constexpr PipelineState kCasterState{.depth_test = DepthTest::less,
                                      .culling = Culling::off,
                                      .offset_factor = 1.0f,
                                      .offset_units = 1.0f};
-
-SurfaceFeatures caster_features(const GpuMesh& mesh, const GpuMaterial& material)
-{
-    namespace f = surface_feature;
-    if ((material.features & f::kAlphaMask) == 0) return 0;
-    const SurfaceFeatures maps = static_cast<SurfaceFeatures>(3) << f::kBaseColourMapBit;
-    return (mesh.features & (f::kUv0 | f::kUv1 | f::kColours)) | (material.features & (f::kAlphaMask | maps));
-}
 
 void draw_caster(const Scene& scene, GpuScene& gpu_scene, ObjectId id, const glm::dmat4& clip_from_world,
                  const LinkedProgram& program, GpuState& state)
@@ -69,8 +63,8 @@ void ShadowMap::prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLigh
         const Object& object = scene.objects[id];
         if (scene.materials[object.material].alpha_mode == AlphaMode::blend) continue;
         const SurfaceFeatures features =
-            caster_features(gpu_scene.mesh(object.mesh), gpu_scene.material(object.material));
-        const LinkedProgram& program = programs.engine("surface.vert", "shadow_caster.frag", feature_defines(features));
+            mask_features(gpu_scene.mesh(object.mesh), gpu_scene.material(object.material));
+        const LinkedProgram& program = programs.engine("surface.vert", "depth.frag", feature_defines(features));
         draw_caster(scene, gpu_scene, id, clip_from_world, program, state);
     }
     const glm::dmat4 unit_from_clip =

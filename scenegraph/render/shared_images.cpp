@@ -29,13 +29,7 @@ glm::vec4 object_id_bytes(ObjectId object, int style)
 
 SurfaceFeatures image_features(const GpuMesh& mesh, const GpuMaterial& material)
 {
-    namespace f = surface_feature;
-    SurfaceFeatures features = material.features & (f::kDoubleSided | f::kAlphaMask);
-    if (features & f::kAlphaMask) {
-        features |= mesh.features & (f::kUv0 | f::kUv1 | f::kColours);
-        features |= material.features & (static_cast<SurfaceFeatures>(3) << f::kBaseColourMapBit);
-    }
-    return features;
+    return mask_features(mesh, material) | (material.features & surface_feature::kDoubleSided);
 }
 
 void draw_object(const std::string& name, const EngineImageInput& input, const VisibleObject& object,

@@ -123,10 +123,17 @@ void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::sp
         const VisibleObject& object = frame_.visible->objects[item.slot];
         surface_items.push_back({&item, &object, choose_maps((*frame_.looks)[object.object].maps, style_maps_)});
     }
+    PipelineState face_state = state;
+    if (state.writes_depth && state.depth_test == DepthTest::less && !frame_.programs->discards(program)) {
+        // Depth first, so that every pixel is shaded once. What a style cuts out by itself, depth cannot know.
+        frame_.surfaces->draw_depth(state, surface_items, frame_.visible->ranges);
+        face_state.depth_test = DepthTest::equal;
+        face_state.writes_depth = false;
+    }
     const bool has_shadow = uses_shadow_ && frame_.shadow_texture != 0;
     frame_.surfaces->draw({.program = program,
                            .uniforms = &uniforms,
-                           .state = state,
+                           .state = face_state,
                            .features = frame_.scene_features | (has_shadow ? surface_feature::kShadow : 0),
                            .time_s = frame_.view->time_s,
                            .shadow_texture = has_shadow ? frame_.shadow_texture : 0},

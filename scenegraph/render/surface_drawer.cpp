@@ -14,6 +14,14 @@ SurfaceFeatures map_features(const ItemMaps& maps)
 
 }  // namespace
 
+SurfaceFeatures mask_features(const GpuMesh& mesh, const GpuMaterial& material)
+{
+    namespace f = surface_feature;
+    if ((material.features & f::kAlphaMask) == 0) return 0;
+    const SurfaceFeatures maps = static_cast<SurfaceFeatures>(3) << f::kBaseColourMapBit;
+    return (mesh.features & (f::kUv0 | f::kUv1 | f::kColours)) | (material.features & (f::kAlphaMask | maps));
+}
+
 ItemMaps choose_maps(const std::map<MapKind, int>& of_object, const std::map<MapKind, int>& of_style)
 {
     const auto choose = [&](MapKind kind) {
@@ -61,19 +69,47 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
             last = program;
             last_material = nullptr;
         }
-        PipelineState pipeline = run.state;
-        pipeline.is_front_clockwise = item.object->facing < 0.0f;
-        if (material.is_double_sided) pipeline.culling = Culling::off;
-        state_.apply(pipeline);
+        apply_faces(run.state, item);
         state_.bind(mesh.array);
         set_object(*program, item, run.time_s);
         GpuProgram::set(program->at.hatch_scale, glm::vec2(mesh.metres_per_uv, 1.0f) * item.object->scale);
         if (&material != last_material) set_material(*program, *item.item, gpu_material);
         last_material = &material;
         set_maps(*program, item);
-        for (const IndexRange& range : ranges.subspan(item.object->first_range, item.object->range_count))
-            state_.draw_indexed(Primitive::triangles, range.first, range.count);
+        draw_ranges(item, ranges);
     }
+}
+
+void SurfaceDrawer::draw_depth(const PipelineState& state, std::span<const SurfaceItem> items,
+                               std::span<const IndexRange> ranges)
+{
+    PipelineState depth_state = state;
+    depth_state.writes_colour = false;
+    for (const SurfaceItem& item : items) {
+        const GpuMesh& mesh = scene_.mesh_of(item.object->object);
+        const GpuMaterial& gpu_material = scene_.material_of(item.object->object);
+        const SurfaceFeatures features = mask_features(mesh, gpu_material);
+        const LinkedProgram& program = programs_.engine("surface.vert", "depth.frag", feature_defines(features));
+        state_.use(program.gpu);
+        apply_faces(depth_state, item);
+        state_.bind(mesh.array);
+        GpuProgram::set(program.at.clip_from_object, item.object->clip_from_object);
+        if (features != 0) set_material(program, *item.item, gpu_material);
+        draw_ranges(item, ranges);
+    }
+}
+
+void SurfaceDrawer::apply_faces(PipelineState state, const SurfaceItem& item)
+{
+    state.is_front_clockwise = item.object->facing < 0.0f;
+    if (item.item->material->is_double_sided) state.culling = Culling::off;
+    state_.apply(state);
+}
+
+void SurfaceDrawer::draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges)
+{
+    for (const IndexRange& range : ranges.subspan(item.object->first_range, item.object->range_count))
+        state_.draw_indexed(Primitive::triangles, range.first, range.count);
 }
 
 void SurfaceDrawer::set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s)

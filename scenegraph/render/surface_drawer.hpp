@@ -47,8 +47,12 @@ class SurfaceDrawer {
     }
 
     void draw(const SurfaceRun& run, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges);
+    /// Depth alone, at the depths of draw(); alpha masks cut holes. `state` tells what faces; colours are not written.
+    void draw_depth(const PipelineState& state, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges);
 
  private:
+    void apply_faces(PipelineState state, const SurfaceItem& item);
+    void draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges);
     void set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s);
     void set_material(const LinkedProgram& program, const DrawItem& item, const GpuMaterial& material);
     void set_maps(const LinkedProgram& program, const SurfaceItem& item);
@@ -57,6 +61,9 @@ class SurfaceDrawer {
     GpuState& state_;
     GpuScene& scene_;
 };
+
+/// The features that decide where an alpha mask cuts, and no other: what depth alone needs.
+SurfaceFeatures mask_features(const GpuMesh& mesh, const GpuMaterial& material);
 
 /// Gives a program a style's own uniforms and images. The program must be in use.
 void set_uniforms(const GpuProgram& program, const Uniforms& uniforms, GpuState& state);

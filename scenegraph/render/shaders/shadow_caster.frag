@@ -1,4 +1,4 @@
-// Depth alone; an alpha mask cuts holes into the shadow.
+// Depth alone: shadow maps, and faces before they are shaded. An alpha mask cuts holes.
 #include "surface.glsl"
 
 void main()
