@@ -62,14 +62,14 @@ std::string statistics_text(const FrameStats& stats)
 
 std::string rate_text(double fps)
 {
-    return fps < 9.95 ? fmt::format("{:.1f}", fps) : fmt::format("{:.0f}", fps);
+    return fps < 9.95 ? fmt::format("{:.1f} fps", fps) : fmt::format("{:.0f} fps", fps);
 }
 
 std::string hint(const WalkFacts& facts)
 {
     if (facts.is_playing_path) return "Playing the path; any move ends it";
     if (facts.is_mouse_captured) return "Esc frees the mouse   F1 help";
-    return "The mouse is free: click to look around   F1 help   Q quit";
+    return "The mouse is free: click to look   F1 help   Q quit";
 }
 
 std::string object_line(const WalkFacts& facts)
@@ -79,13 +79,45 @@ std::string object_line(const WalkFacts& facts)
     return line;
 }
 
-/// At the bottom edge, `line` lines above the last.
-OverlayText bottom_text(const std::string& text, float x, int line)
+/// Lines at the bottom edge, from the last upwards; a right-hand one shares a line with its left neighbour if both fit.
+class BottomLines {
+ public:
+    BottomLines(Overlay& overlay, float width) : overlay_(overlay), columns_((width - 4.0f * kEdge) / kGlyphWidth) {}
+
+    void add_left(const std::string& text)
+    {
+        put(text, kEdge);
+        used_ = text.size();
+    }
+    void add_right(const std::string& text)
+    {
+        if (used_ + text.size() <= columns_) --line_;
+        put(text, -kEdge);
+        used_ = columns_;
+    }
+
+ private:
+    void put(const std::string& text, float x)
+    {
+        OverlayText block;
+        block.text = text;
+        block.position_px = {x, -kEdge - static_cast<float>(line_++) * (kLineHeight + 4.0f)};
+        overlay_.texts.push_back(std::move(block));
+    }
+
+    Overlay& overlay_;
+    std::size_t columns_;
+    std::size_t used_ = 0;
+    int line_ = 0;
+};
+
+void add_bottom_lines(const WalkFacts& facts, Overlay& overlay)
 {
-    OverlayText block;
-    block.text = text;
-    block.position_px = {x, -kEdge - static_cast<float>(line) * (kLineHeight + 4.0f)};
-    return block;
+    const std::string gait = facts.is_flying ? "flying" : "walking";
+    BottomLines lines(overlay, facts.width);
+    lines.add_left(hint(facts));
+    lines.add_right(fmt::format("{}   {}, {}", gait, rate_text(facts.fps), facts.quality));
+    if (const std::string line = object_line(facts); !line.empty()) lines.add_left(line);
 }
 
 }  // namespace
@@ -103,12 +135,7 @@ Overlay walk_overlay(const WalkFacts& facts)
     if (facts.are_statistics_shown) column.add(statistics_text(facts.stats));
     if (facts.is_help_shown) column.add(help_text(facts));
 
-    if (const std::string line = object_line(facts); !line.empty())
-        overlay.texts.push_back(bottom_text(line, kEdge, 1));
-    overlay.texts.push_back(bottom_text(hint(facts), kEdge, 0));
-    const std::string gait = facts.is_flying ? "flying" : "walking";
-    overlay.texts.push_back(
-        bottom_text(fmt::format("{}   {} fps, {}", gait, rate_text(facts.fps), facts.quality), -kEdge, 0));
+    add_bottom_lines(facts, overlay);
     return overlay;
 }
 

@@ -38,6 +38,20 @@ TEST(walk_overlay, names_the_object_under_the_cross_hair_and_its_style)
     EXPECT_FALSE(has(all_text({}), "Tab changes"));
 }
 
+TEST(walk_overlay, lines_at_the_bottom_do_not_lie_on_each_other)
+{
+    for (const float width : {400.0f, 900.0f, 1280.0f, 3000.0f}) {
+        const hw::WalkFacts facts{
+            .object = "Hall/Column", .style = "ink", .quality = "1 sample, 70 % of the resolution", .width = width};
+        const auto overlay = hw::walk_overlay(facts);
+        for (const hw::OverlayText& a : overlay.texts)
+            for (const hw::OverlayText& b : overlay.texts) {
+                if (&a == &b || a.position_px.y != b.position_px.y) continue;
+                EXPECT_LT(12.0f * static_cast<float>(a.text.size() + b.text.size()), width) << a.text << b.text;
+            }
+    }
+}
+
 TEST(walk_overlay, shows_every_key_on_demand)
 {
     const std::string text = all_text({.is_help_shown = true, .cameras = {"door", "well"}});
