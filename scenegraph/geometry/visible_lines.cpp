@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <optional>
 
 #include "geometry/image_grid.hpp"
@@ -20,6 +22,7 @@ namespace {
 
 constexpr double kDepthTolerance = 2e-7;  // relative: lines on a face and on its coplanar neighbour are not hidden
 constexpr double kShortestPx = 1e-4;      // two cuts closer than this are one
+constexpr double kContourSlack = 1e-6;    // a contour this little behind a line still cuts it
 constexpr double kEndSlack = 1e-7;        // a contour that ends this close to a line still cuts it
 constexpr std::size_t kLinesPerTask = 32;
 
@@ -29,6 +32,31 @@ struct ImageLine {
     ImagePoint to;
     bool is_from_whole;  ///< `from` is the line's own end, not where it was clipped.
     bool is_to_whole;
+};
+
+/// What a line has to touch to be changed by something: its box in the picture and how near it comes. Rounded outward.
+struct Bounds {
+    float left, right, top, bottom, nearest;
+
+    static Bounds of(std::initializer_list<ImagePoint> points)
+    {
+        ImagePoint low = *points.begin(), high = low;
+        for (const ImagePoint& p : points) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        return {below(low.x), above(high.x), below(low.y), above(high.y), above(high.z)};
+    }
+    /// Whether something with these bounds can be before a part of a line with those of `line`, farthest at `line_z`.
+    bool can_change(const Bounds& line, float line_z) const
+    {
+        return nearest >= line_z && left <= line.right && right >= line.left && top <= line.bottom &&
+               bottom >= line.top;
+    }
+    bool has(double x, double y) const { return left <= x && x <= right && top <= y && y <= bottom; }
+
+    static float below(double x) { return std::nextafterf(static_cast<float>(x), -std::numeric_limits<float>::max()); }
+    static float above(double x) { return std::nextafterf(static_cast<float>(x), std::numeric_limits<float>::max()); }
 };
 
 /// A part of a line that is visible, or hidden, as a whole.
@@ -96,12 +124,18 @@ class HiddenLines {
     }
     void fill_triangles()
     {
+        triangle_bounds_.reserve(drawing_.triangles.size());
+        for (const ImageTriangle& t : drawing_.triangles) {
+            triangle_bounds_.push_back(Bounds::of({t.corners[0], t.corners[1], t.corners[2]}));
+        }
         triangle_grid_.fill(static_cast<std::uint32_t>(drawing_.triangles.size()), [&](std::uint32_t i, auto&& visit) {
             triangle_grid_.for_each_cell(drawing_.triangles[i], visit);
         });
     }
     void fill_contours()
     {
+        contour_bounds_.reserve(drawing_.contours.size());
+        for (const ContourLine& c : drawing_.contours) contour_bounds_.push_back(Bounds::of({c.from, c.to}));
         contour_grid_.fill(static_cast<std::uint32_t>(drawing_.contours.size()), [&](std::uint32_t i, auto&& visit) {
             contour_grid_.for_each_cell(drawing_.contours[i].from, drawing_.contours[i].to, visit);
         });
@@ -119,8 +153,14 @@ class HiddenLines {
         const double length = glm::distance(glm::dvec2(seen->from), glm::dvec2(seen->to));
         if (length == 0.0) return;
         cuts.assign({0.0, 1.0});
-        cut_by_contours(*seen, cuts);
-        cut_by_faces(*seen, cuts);
+        if (is_behind_one_face(*seen, drawn)) {
+            add_part(index, *seen, parts, drawn);
+            return;
+        }
+        const Bounds bounds = Bounds::of({seen->from, seen->to});
+        const float farthest = Bounds::below(std::min(seen->from.z, seen->to.z) * (1.0 - kContourSlack));
+        cut_by_contours(*seen, bounds, farthest, cuts);
+        cut_by_faces(*seen, bounds, farthest, cuts);
         std::sort(cuts.begin(), cuts.end());
         const double shortest = kShortestPx / length;
         std::size_t kept = 1;
@@ -150,10 +190,20 @@ class HiddenLines {
         if (seen.is_to_whole) parts.back().piece.to_vertex = drawn.vertices[1];
     }
 
-    void cut_by_contours(const ImageLine& line, std::vector<double>& cuts) const
+    /// The whole line, hidden.
+    static void add_part(std::uint32_t index, const ImageLine& seen, std::vector<LinePart>& parts,
+                         const DrawnLine& drawn)
+    {
+        parts.push_back({index, false, {glm::dvec2(seen.from), glm::dvec2(seen.to),
+                                        seen.is_from_whole ? drawn.vertices[0] : kFreeEnd,
+                                        seen.is_to_whole ? drawn.vertices[1] : kFreeEnd}});
+    }
+
+    void cut_by_contours(const ImageLine& line, const Bounds& bounds, float farthest, std::vector<double>& cuts) const
     {
         contour_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
             for (const std::uint32_t item : contour_grid_.items(cell)) {
+                if (!contour_bounds_[item].can_change(bounds, farthest)) continue;
                 const ContourLine& contour = drawing_.contours[item];
                 const double a = side_of(contour.from, contour.to, line.from.x, line.from.y);
                 const double b = side_of(contour.from, contour.to, line.to.x, line.to.y);
@@ -164,7 +214,7 @@ class HiddenLines {
                 const double s = c / (c - d);
                 if (!(s > -kEndSlack && s < 1.0 + kEndSlack)) continue;
                 const double contour_z = glm::mix(contour.from.z, contour.to.z, s);
-                if (contour_z > glm::mix(line.from.z, line.to.z, t) * (1.0 - 1e-6)) cuts.push_back(t);
+                if (contour_z > glm::mix(line.from.z, line.to.z, t) * (1.0 - kContourSlack)) cuts.push_back(t);
             }
         });
     }
@@ -184,14 +234,12 @@ class HiddenLines {
                side_of(c, a, p.x, p.y) * (p.z - b.z);
     }
 
-    void cut_by_faces(const ImageLine& line, std::vector<double>& cuts) const
+    void cut_by_faces(const ImageLine& line, const Bounds& bounds, float farthest, std::vector<double>& cuts) const
     {
-        const double farthest = std::min(line.from.z, line.to.z);
         triangle_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
             for (const std::uint32_t item : triangle_grid_.items(cell)) {
+                if (!triangle_bounds_[item].can_change(bounds, farthest)) continue;
                 const ImageTriangle& triangle = drawing_.triangles[item];
-                const auto& [p, q, r] = triangle.corners;
-                if (std::max({p.z, q.z, r.z}) < farthest) continue;
                 const double a = before(triangle, line.from), b = before(triangle, line.to);
                 const double t = a / (a - b);
                 if (!(t > kEndSlack && t < 1.0 - kEndSlack)) continue;
@@ -201,18 +249,41 @@ class HiddenLines {
         });
     }
 
+    bool is_own(const DrawnLine& drawn, const ImageTriangle& triangle) const
+    {
+        return triangle.face == drawn.faces[0] || triangle.face == drawn.faces[1];
+    }
+
+    static bool hides(const ImageTriangle& triangle, const ImagePoint& p)
+    {
+        const auto& [a, b, c] = triangle.corners;
+        const double ab = side_of(a, b, p.x, p.y), bc = side_of(b, c, p.x, p.y), ca = side_of(c, a, p.x, p.y);
+        if (!((ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0))) return false;
+        return (ab * c.z + bc * a.z + ca * b.z) / (ab + bc + ca) > p.z * (1.0 + kDepthTolerance);
+    }
+
     bool is_hidden(const ImagePoint& p, const DrawnLine& drawn) const
     {
+        const double limit = p.z * (1.0 + kDepthTolerance);
         for (const std::uint32_t item : triangle_grid_.items(triangle_grid_.cell_at(p.x, p.y))) {
+            if (triangle_bounds_[item].nearest <= limit || !triangle_bounds_[item].has(p.x, p.y)) continue;
             const ImageTriangle& triangle = drawing_.triangles[item];
-            if (triangle.face == drawn.faces[0] || triangle.face == drawn.faces[1]) continue;
-            const auto& [a, b, c] = triangle.corners;
-            const double limit = p.z * (1.0 + kDepthTolerance);
-            if (std::max({a.z, b.z, c.z}) <= limit) continue;
-            const double ab = side_of(a, b, p.x, p.y), bc = side_of(b, c, p.x, p.y), ca = side_of(c, a, p.x, p.y);
-            if (!((ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0))) continue;
-            const double area = ab + bc + ca;
-            if ((ab * c.z + bc * a.z + ca * b.z) / area > limit) return true;
+            if (!is_own(drawn, triangle) && hides(triangle, p)) return true;
+        }
+        return false;
+    }
+
+    /// The common case of large faces: both ends are behind one face, and so is all between.
+    bool is_behind_one_face(const ImageLine& line, const DrawnLine& drawn) const
+    {
+        const double limit = std::min(line.from.z, line.to.z) * (1.0 + kDepthTolerance);
+        for (const std::uint32_t item : triangle_grid_.items(triangle_grid_.cell_at(line.from.x, line.from.y))) {
+            const Bounds& bounds = triangle_bounds_[item];
+            if (bounds.nearest <= limit || !bounds.has(line.from.x, line.from.y) || !bounds.has(line.to.x, line.to.y)) {
+                continue;
+            }
+            const ImageTriangle& triangle = drawing_.triangles[item];
+            if (!is_own(drawn, triangle) && hides(triangle, line.from) && hides(triangle, line.to)) return true;
         }
         return false;
     }
@@ -221,6 +292,8 @@ class HiddenLines {
     const ImageSpace& space_;
     ImageGrid triangle_grid_;
     ImageGrid contour_grid_;
+    std::vector<Bounds> triangle_bounds_;
+    std::vector<Bounds> contour_bounds_;
 };
 
 /// Joins the parts of each object, class and visibility.
