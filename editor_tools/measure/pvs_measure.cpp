@@ -64,13 +64,8 @@ void compare_shares(const Visibility& visibility, const std::vector<ClusterTruth
     for (std::size_t cluster = 0; cluster < truths.size(); ++cluster) {
         if (truths[cluster].rays < kEnoughRays) continue;
         std::vector<std::uint8_t> row(triangles_of_slot.size());
-        for (int other = 0; other < visibility.tree.cluster_count; ++other) {
-            if (!visibility.rows.sees(static_cast<int>(cluster), other)) continue;
-            const std::size_t index = static_cast<std::size_t>(other);
-            for (auto i = visibility.first_in_cluster[index]; i < visibility.first_in_cluster[index + 1]; ++i) {
-                row[visibility.slots_of_cluster[i]] = 1;
-            }
-        }
+        visit_bits(visibility.slot_rows.row(static_cast<int>(cluster)),
+                   [&](int slot) { row[static_cast<std::size_t>(slot)] = 1; });
         ++result.clusters;
         result.row_share += share_of(row, triangles_of_slot);
         result.sampled_share += share_of(truths[cluster].met, triangles_of_slot);

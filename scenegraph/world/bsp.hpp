@@ -28,8 +28,8 @@ struct BspNode {
     int back = ~0;   ///< Where it is negative or zero.
 };
 
-/// The tree alone, for asking where a point is. Structure splits space into clusters, details split clusters into leaves:
-/// a cluster is convex, too, and is what sees and is seen.
+/// The tree alone, for asking where a point is. Structure splits space into clusters, details split clusters into leaves.
+/// Clusters are convex until merge_clusters(), and are what sees and is seen.
 struct BspTree {
     Grid grid;
     Box bounds_world;  ///< What the leaves fill; a point outside belongs to no leaf.
@@ -37,7 +37,7 @@ struct BspTree {
     int leaf_count = 1;
     int cluster_count = 1;
     std::vector<int> cluster_of_leaf;
-    std::vector<std::uint8_t> is_solid;  ///< By leaf: inside of walls. All 0 until build_portals() has found out.
+    std::vector<std::uint8_t> is_solid;  ///< By leaf: inside of walls. All 0 until leaf_contacts() has found out.
 };
 
 /// A tree with what it was made from, for portals and measures.

@@ -30,7 +30,9 @@ struct FlowPortal {
     int to_leaf = 0;
     FlowPlane plane;
     Winding winding;
-    LeafBits sees;  ///< Leaves: coarse first; replaced by what the flow finds.
+    LeafBits sees;    ///< At most these leaves: coarse first, then what the flow finds.
+    LeafBits surely;  ///< At least these.
+    bool is_coarse = true;  ///< The flow has not finished, if it has begun.
 };
 
 /// A PortalGraph made ready for the flow.

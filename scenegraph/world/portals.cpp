@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
-#include <map>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -16,16 +14,7 @@ namespace hw {
 namespace {
 
 using Pieces = std::vector<PlanePolygon>;
-using Winding = std::vector<glm::dvec3>;
-
-/// Where two leaves touch, and what of it is open, for sight from the one and from the other.
-struct Contact {
-    std::size_t node = 0;
-    int front_leaf = 0;
-    int back_leaf = 0;
-    std::vector<Winding> backward;  ///< From the front leaf to the back leaf; metres.
-    std::vector<Winding> forward;
-};
+using Opening = std::vector<glm::dvec3>;
 
 /// Hands a polygon down a subtree; calls arrive(piece, leaf).
 template <typename Arrive>
@@ -91,18 +80,8 @@ Pieces uncovered(const BspBuild& build, const PlanePolygon& contact, const std::
 }
 
 
-/// Doubled area vector.
-glm::dvec3 area_vector(const Winding& winding)
-{
-    glm::dvec3 sum(0.0);
-    for (std::size_t i = 2; i < winding.size(); ++i) {
-        sum += glm::cross(winding[i - 1] - winding[0], winding[i] - winding[0]);
-    }
-    return sum;
-}
-
 /// The least distance between two parallel lines of the plane that hold the polygon between them.
-double width_of(const Winding& winding, const glm::dvec3& normal)
+double width_of(const Opening& winding, const glm::dvec3& normal)
 {
     double width = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < winding.size(); ++i) {
@@ -122,38 +101,12 @@ double width_of(const Winding& winding, const glm::dvec3& normal)
     return width;
 }
 
-/// The convex hull of points of a plane, counter-clockwise about `normal`. Andrew's monotone chain.
-Winding hull_of(Winding points, const glm::dvec3& normal)
-{
-    const glm::dvec3 helper = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 u = glm::normalize(glm::cross(helper, normal));
-    const glm::dvec3 v = glm::cross(normal, u);
-    const auto before = [&](const glm::dvec3& a, const glm::dvec3& b) {
-        const double ua = glm::dot(a, u), ub = glm::dot(b, u);
-        return ua != ub ? ua < ub : glm::dot(a, v) < glm::dot(b, v);
-    };
-    std::sort(points.begin(), points.end(), before);
-    const auto bends_left = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-        return glm::dot(glm::cross(b - a, c - b), normal) > 0.0;
-    };
-    Winding hull;
-    const auto add = [&](const glm::dvec3& point, std::size_t base) {
-        while (hull.size() >= base + 2 && !bends_left(hull[hull.size() - 2], hull.back(), point)) hull.pop_back();
-        hull.push_back(point);
-    };
-    for (const glm::dvec3& point : points) add(point, 0);
-    const std::size_t base = hull.size() - 1;
-    for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], base);
-    hull.pop_back();
-    return hull;
-}
-
 /// The pieces as windings in metres; cracks are left out.
-std::vector<Winding> openings(const Pieces& pieces, const ExactPlane& plane, double step_m)
+std::vector<Opening> openings(const Pieces& pieces, const ExactPlane& plane, double step_m)
 {
-    std::vector<Winding> result;
+    std::vector<Opening> result;
     for (const PlanePolygon& piece : pieces) {
-        Winding winding;
+        Opening winding;
         for (const glm::dvec3& corner : piece.corners) winding.push_back(corner * step_m);
         if (width_of(winding, plane.unit_normal) >= kCrackWidth) result.push_back(std::move(winding));
     }
@@ -217,7 +170,7 @@ double total_area(const Pieces& pieces)
     return sum;
 }
 
-Contact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon& polygon, int front_leaf, int back_leaf,
+LeafContact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon& polygon, int front_leaf, int back_leaf,
                      Surroundings& surroundings)
 {
     const ExactPlane& plane = build.tree.nodes[node].plane;
@@ -225,10 +178,12 @@ Contact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon
     const std::vector<BlockingPolygon>& covers = build.polygons_of_node[node];
     const Pieces backward = uncovered(build, polygon, covers, true);
     const Pieces forward = uncovered(build, polygon, covers, false);
-    Contact contact{node, front_leaf, back_leaf, openings(backward, plane, step_m), openings(forward, plane, step_m)};
+    const double whole = area(polygon);
+    LeafContact contact{node, front_leaf, back_leaf, whole * step_m * step_m, {}, openings(backward, plane, step_m),
+                        openings(forward, plane, step_m)};
+    for (const glm::dvec3& corner : polygon.corners) contact.bounds.add(corner * step_m);
     if (!contact.backward.empty() && !contact.forward.empty()) surroundings.join(front_leaf, back_leaf);
 
-    const double whole = area(polygon);
     const double seen_from_front = whole - total_area(backward);
     const double seen_from_back = whole - total_area(forward);
     surroundings.add(front_leaf, seen_from_front, seen_from_back);
@@ -237,7 +192,7 @@ Contact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon
 }
 
 void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Surroundings& surroundings,
-              std::vector<Contact>& contacts)
+              std::vector<LeafContact>& contacts)
 {
     if (child < 0) return;
     const std::size_t index = static_cast<std::size_t>(child);
@@ -261,10 +216,10 @@ void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Sur
 }
 
 /// Takes back what a sight line can get into after all: solid is only what nothing open leads to.
-void keep_unreachable(const std::vector<Contact>& contacts, std::vector<std::uint8_t>& is_solid)
+void keep_unreachable(const std::vector<LeafContact>& contacts, std::vector<std::uint8_t>& is_solid)
 {
     std::vector<std::vector<int>> open_to(is_solid.size());
-    for (const Contact& contact : contacts) {
+    for (const LeafContact& contact : contacts) {
         if (!contact.backward.empty()) open_to[static_cast<std::size_t>(contact.front_leaf)].push_back(contact.back_leaf);
         if (!contact.forward.empty()) open_to[static_cast<std::size_t>(contact.back_leaf)].push_back(contact.front_leaf);
     }
@@ -283,77 +238,17 @@ void keep_unreachable(const std::vector<Contact>& contacts, std::vector<std::uin
     }
 }
 
-/// Openings between two clusters in one node's plane.
-struct Passage {
-    std::size_t node = 0;
-    int from = 0;
-    int to = 0;
-    bool is_forward = false;
-    auto operator<=>(const Passage&) const = default;
-};
-
-/// Turns the openings of a passage into portals: their hull where it is not much larger than they are.
-void add_portals(const BspBuild& build, const Passage& passage, std::vector<Winding> windings, PortalGraph& graph)
-{
-    constexpr double kMostGrowth = 1.3;
-    constexpr std::size_t kMostPieces = 4;
-    const ExactPlane& plane = build.tree.nodes[passage.node].plane;
-    const double sign = passage.is_forward ? 1.0 : -1.0;
-    const glm::dvec3 normal = sign * plane.unit_normal;
-    if (windings.size() > 1) {
-        double total = 0.0;
-        Winding all;
-        for (const Winding& winding : windings) {
-            total += glm::length(area_vector(winding));
-            all.insert(all.end(), winding.begin(), winding.end());
-        }
-        Winding hull = hull_of(std::move(all), normal);
-        if (windings.size() > kMostPieces || glm::length(area_vector(hull)) <= kMostGrowth * total) {
-            windings = {std::move(hull)};
-        }
-    }
-    for (Winding& winding : windings) {
-        if (glm::dot(area_vector(winding), normal) < 0.0) std::reverse(winding.begin(), winding.end());
-        graph.portals.push_back({passage.from, passage.to, normal, sign * plane.unit_offset * build.tree.grid.step_m,
-                                 std::move(winding)});
-    }
-}
-
-PortalGraph cluster_portals(const BspBuild& build, std::vector<Contact> contacts)
-{
-    std::map<Passage, std::vector<Winding>> passages;
-    const auto collect = [&](const Passage& passage, std::vector<Winding>& windings) {
-        if (windings.empty()) return;
-        std::vector<Winding>& all = passages[passage];
-        std::move(windings.begin(), windings.end(), std::back_inserter(all));
-    };
-    const BspTree& tree = build.tree;
-    for (Contact& contact : contacts) {
-        const std::size_t front = static_cast<std::size_t>(contact.front_leaf);
-        const std::size_t back = static_cast<std::size_t>(contact.back_leaf);
-        if (build.is_detail_node[contact.node] || tree.is_solid[front] || tree.is_solid[back]) continue;
-        const int front_cluster = tree.cluster_of_leaf[front];
-        const int back_cluster = tree.cluster_of_leaf[back];
-        collect({contact.node, front_cluster, back_cluster, false}, contact.backward);
-        collect({contact.node, back_cluster, front_cluster, true}, contact.forward);
-    }
-    PortalGraph graph;
-    graph.leaf_count = tree.cluster_count;
-    for (auto& [passage, windings] : passages) add_portals(build, passage, std::move(windings), graph);
-    return graph;
-}
-
 }  // namespace
 
-PortalGraph build_portals(BspBuild& build)
+std::vector<LeafContact> leaf_contacts(BspBuild& build)
 {
     std::vector<SidePlane> ancestors;
-    std::vector<Contact> contacts;
+    std::vector<LeafContact> contacts;
     Surroundings surroundings(build.tree.leaf_count);
     if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, surroundings, contacts);
     build.tree.is_solid = surroundings.solid();
     keep_unreachable(contacts, build.tree.is_solid);
-    return cluster_portals(build, std::move(contacts));
+    return contacts;
 }
 
 }  // namespace hw

@@ -1,4 +1,4 @@
-// Portals are done in batches, those that see little first. A batch may use what earlier batches found (a portal behind
+// Portals are done in rounds and batches, those that see little first. A batch may use what earlier batches found (a portal behind
 // another sees at most what that one sees), never what its own batch finds: so the rows do not depend on the number of
 // threads.
 #include "world/pvs.hpp"
@@ -10,7 +10,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "core/progress.hpp"
 #include "world/flow_graph.hpp"
 
 namespace hw {
@@ -76,32 +75,34 @@ struct Step {
     LeafBits may_see;
 };
 
+/// How far a flow goes. A branch past one of these is not followed: all that may lie behind it counts as seen.
+struct FlowLimits {
+    std::size_t depth = 0;    ///< Portals in a row.
+    std::uint64_t steps = 0;  ///< In all; 0: unlimited.
+};
+
 /// The flow of one source portal.
 class Flow {
  public:
-    Flow(const FlowGraph& graph, const FlowPortal& source, std::uint64_t budget)
-        : graph_(graph), source_(source), budget_(budget), words_(source.sees.size()),
-          sees_(source.sees.size()), is_on_way_(static_cast<std::size_t>(graph.leaf_count))
+    Flow(const FlowGraph& graph, const FlowPortal& source, const FlowLimits& limits)
+        : graph_(graph), source_(source), limits_(limits), words_(source.sees.size()), sees_(source.surely),
+          is_on_way_(graph.portals.size())
     {
     }
 
-    /// False if the budget ran out.
-    bool run()
+    void run()
     {
-        sees_ = surely_seen(graph_, source_);
         Step& first = step(0);
         first.source = source_.winding;
         first.leaf = source_.to_leaf;
         first.may_see = source_.sees;
         visit(0);
-        return !is_over_budget();
     }
     LeafBits take() { return std::move(sees_); }
     std::uint64_t cost() const { return cost_; }
+    bool is_coarse() const { return is_coarse_; }
 
  private:
-    bool is_over_budget() const { return budget_ != 0 && cost_ > budget_; }
-
     Step& step(std::size_t depth)
     {
         while (steps_.size() <= depth) {
@@ -143,50 +144,47 @@ class Flow {
         return clip_to_separators(next.source, {here.pass, here.pass_plane, next.pass, false, true}, tolerance);
     }
 
+    bool is_past_limits(std::size_t depth) const
+    {
+        return depth >= limits_.depth || (limits_.steps != 0 && cost_ >= limits_.steps);
+    }
+
     void visit(std::size_t depth)
     {
         Step& here = step(depth);
-        is_on_way_[static_cast<std::size_t>(here.leaf)] = 1;
         for (const int number : graph_.portals_out_of[static_cast<std::size_t>(here.leaf)]) {
-            const FlowPortal& portal = graph_.portals[static_cast<std::size_t>(number)];
-            // A line meets a convex leaf once.
-            if (!has_bit(here.may_see, portal.to_leaf) || is_on_way_[static_cast<std::size_t>(portal.to_leaf)]) continue;
+            const std::size_t index = static_cast<std::size_t>(number);
+            const FlowPortal& portal = graph_.portals[index];
+            // A line meets a plane once. It may meet a leaf again: merged clusters are not convex.
+            if (!has_bit(here.may_see, portal.to_leaf) || is_on_way_[index]) continue;
             Step& next = step(depth + 1);
             ++cost_;
             if (!narrow(here, portal, next) || !clip_through(here, portal, next)) continue;
             set_bit(sees_, portal.to_leaf);
+            if (is_past_limits(depth)) {
+                is_coarse_ = true;
+                for (std::size_t word = 0; word < words_; ++word) sees_[word] |= next.may_see[word];
+                continue;
+            }
             next.pass_plane = portal.plane;
             next.has_pass = true;
             next.leaf = portal.to_leaf;
+            is_on_way_[index] = 1;
             visit(depth + 1);
-            if (is_over_budget()) break;
+            is_on_way_[index] = 0;
         }
-        is_on_way_[static_cast<std::size_t>(here.leaf)] = 0;
     }
 
     const FlowGraph& graph_;
     const FlowPortal& source_;
-    std::uint64_t budget_;
+    FlowLimits limits_;
     std::uint64_t cost_ = 0;
+    bool is_coarse_ = false;
     std::size_t words_;
     LeafBits sees_;
-    std::vector<char> is_on_way_;
+    std::vector<char> is_on_way_;  ///< By portal.
     std::vector<std::unique_ptr<Step>> steps_;
 };
-
-/// What a portal sees at most, given what the portals behind it are known to see.
-LeafBits seen_through_next(const FlowGraph& graph, const FlowPortal& source)
-{
-    LeafBits result(source.sees.size());
-    set_bit(result, source.to_leaf);
-    for (const int number : graph.portals_out_of[static_cast<std::size_t>(source.to_leaf)]) {
-        const FlowPortal& portal = graph.portals[static_cast<std::size_t>(number)];
-        if (!may_follow(source, portal, graph.tolerance.least)) continue;
-        for (std::size_t word = 0; word < result.size(); ++word) result[word] |= portal.sees[word];
-    }
-    for (std::size_t word = 0; word < result.size(); ++word) result[word] &= source.sees[word];
-    return result;
-}
 
 struct Outcome {
     LeafBits sees;
@@ -194,49 +192,63 @@ struct Outcome {
     bool is_coarse = false;
 };
 
-Outcome flow_from(const FlowGraph& graph, const FlowPortal& source, std::uint64_t budget)
+/// The portals whose answer is still coarse, those that see little first.
+std::vector<int> coarse_portals(const FlowGraph& graph)
 {
-    Flow flow(graph, source, budget);
-    const bool is_finished = flow.run();
-    if (is_finished) return {flow.take(), flow.cost(), false};
-    return {seen_through_next(graph, source), flow.cost(), true};
-}
-
-int flow_all(FlowGraph& graph, const PvsOptions& options)
-{
-    constexpr std::size_t kSmallestBatch = 32;
-    constexpr double kStepsPerSecond = 3e6;  // per thread, roughly; a count, not a clock, so that rows stay the same
-    std::vector<int> order(graph.portals.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::vector<int> sizes;
-    for (const FlowPortal& portal : graph.portals) sizes.push_back(bit_count(portal.sees));
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    std::vector<int> result;
+    std::vector<int> sizes(graph.portals.size());
+    for (std::size_t i = 0; i < graph.portals.size(); ++i) {
+        sizes[i] = bit_count(graph.portals[i].sees);
+        if (graph.portals[i].is_coarse) result.push_back(static_cast<int>(i));
+    }
+    std::stable_sort(result.begin(), result.end(), [&](int a, int b) {
         return sizes[static_cast<std::size_t>(a)] < sizes[static_cast<std::size_t>(b)];
     });
-    Progress progress("visibility", std::max<std::size_t>(order.size(), 1));
-    double left = options.effort == PvsEffort::exact ? 0.0 : options.seconds * kStepsPerSecond;
-    const bool has_budget = left > 0.0;
-    int coarse = 0;
+    return result;
+}
+
+/// One round over the coarse portals; returns its cost.
+std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits)
+{
+    constexpr std::size_t kSmallestBatch = 32;
+    const std::vector<int> order = coarse_portals(graph);
+    std::uint64_t cost = 0;
     for (std::size_t first = 0; first < order.size();) {
         const std::size_t size = std::min(std::max(kSmallestBatch, first / 16), order.size() - first);
-        // A portal may use several times its even share: most use far less.
-        const double share = 8.0 * std::max(left, 0.0) / static_cast<double>(order.size() - first);
-        const std::uint64_t budget = has_budget ? static_cast<std::uint64_t>(share) + 100 : 0;
         std::vector<Outcome> outcomes(size);
         tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) {
-            const FlowPortal& source = graph.portals[static_cast<std::size_t>(order[first + i])];
-            outcomes[i] = flow_from(graph, source, budget);
-            progress.advance();
+            Flow flow(graph, graph.portals[static_cast<std::size_t>(order[first + i])], limits);
+            flow.run();
+            outcomes[i] = {flow.take(), flow.cost(), flow.is_coarse()};
         });
         for (std::size_t i = 0; i < size; ++i) {
             FlowPortal& portal = graph.portals[static_cast<std::size_t>(order[first + i])];
             portal.sees = std::move(outcomes[i].sees);
-            left -= static_cast<double>(outcomes[i].cost);
-            coarse += outcomes[i].is_coarse;
+            portal.is_coarse = outcomes[i].is_coarse;
+            cost += outcomes[i].cost;
         }
         first += size;
     }
-    return coarse;
+    return cost;
+}
+
+/// Rounds of rising depth: what a shallow round rules out for all portals makes the next cheaper. Returns how many portals
+/// stay coarse.
+int flow_all(FlowGraph& graph, const PvsOptions& options)
+{
+    constexpr double kStepsPerSecond = 4e6;  // roughly; a count, not a clock, so that rows stay the same
+    constexpr std::uint64_t kLeastSteps = 500;
+    const bool has_limit = options.effort != PvsEffort::exact && options.seconds > 0.0;
+    double left = options.seconds * kStepsPerSecond;
+    for (const std::size_t depth : {std::size_t{2}, std::size_t{4}, std::size_t{8}, graph.portals.size() + 1}) {
+        const std::size_t coarse = coarse_portals(graph).size();
+        if (coarse == 0) return 0;
+        const double share = 4.0 * std::max(0.0, left) / static_cast<double>(coarse);
+        const std::uint64_t steps = has_limit ? std::max(kLeastSteps, static_cast<std::uint64_t>(share)) : 0;
+        left -= static_cast<double>(flow_round(graph, {depth, steps}));
+        if (has_limit && left < 0.0) break;
+    }
+    return static_cast<int>(coarse_portals(graph).size());
 }
 
 }  // namespace
@@ -249,12 +261,15 @@ PvsResult build_pvs(const PortalGraph& graph, const PvsOptions& options)
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, flow.portals.size(),
                           [&](std::size_t i) { flow.portals[i].sees = coarse_sight(flow, flow.portals[i]); });
-        if (options.effort != PvsEffort::fast) result.coarse_portals = flow_all(flow, options);
+        if (options.effort == PvsEffort::fast) return;
+        tbb::parallel_for(std::size_t{0}, flow.portals.size(),
+                          [&](std::size_t i) { flow.portals[i].surely = surely_seen(flow, flow.portals[i]); });
+        result.coarse_portals = flow_all(flow, options);
     });
-    result.rows = LeafRows(graph.leaf_count);
+    result.rows = LeafRows(graph.leaf_count, graph.leaf_count);
     for (int leaf = 0; leaf < graph.leaf_count; ++leaf) {
         const std::span<std::uint64_t> row = result.rows.row(leaf);
-        row[static_cast<std::size_t>(leaf) / 64] |= std::uint64_t{1} << (leaf % 64);
+        result.rows.show(leaf, leaf);
         for (const int number : flow.portals_out_of[static_cast<std::size_t>(leaf)]) {
             const LeafBits& sees = flow.portals[static_cast<std::size_t>(number)].sees;
             for (std::size_t word = 0; word < row.size(); ++word) row[word] |= sees[word];

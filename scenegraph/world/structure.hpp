@@ -12,7 +12,7 @@ namespace hw {
 
 /// What becomes structure where the level does not say.
 struct StructureOptions {
-    int max_structure = 1500;
+    int max_structure = 20000;
     int max_details = 40000;
     double least_area_share = 3e-3;  ///< All that lies in one plane, of the largest side of the scene's box.
 };

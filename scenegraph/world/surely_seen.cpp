@@ -60,17 +60,24 @@ bool is_within(const FlowPortal& portal, const glm::dvec3& point)
     return true;
 }
 
-/// The leaf behind the portal through which a line leaves `leaf`; -1 if it meets a wall.
-int next_leaf(const FlowGraph& graph, int leaf, const glm::dvec3& from, const glm::dvec3& way)
+struct Place {
+    int leaf = 0;       ///< -1: the line meets a wall.
+    double along = 0.0;
+};
+
+/// The next leaf on the line, behind the nearest portal past `place`.
+Place next_place(const FlowGraph& graph, const Place& place, const glm::dvec3& from, const glm::dvec3& way)
 {
-    for (const int number : graph.portals_out_of[static_cast<std::size_t>(leaf)]) {
+    Place next{-1, std::numeric_limits<double>::infinity()};
+    for (const int number : graph.portals_out_of[static_cast<std::size_t>(place.leaf)]) {
         const FlowPortal& portal = graph.portals[static_cast<std::size_t>(number)];
         const double speed = glm::dot(portal.plane.normal, way);
         if (speed <= 1e-6) continue;
         const double along = -portal.plane.distance(from) / speed;
-        if (along > 0.0 && is_within(portal, from + along * way)) return portal.to_leaf;
+        if (along <= place.along || along >= next.along || !is_within(portal, from + along * way)) continue;
+        next = {portal.to_leaf, along};
     }
-    return -1;
+    return next;
 }
 
 }  // namespace
@@ -85,11 +92,11 @@ LeafBits surely_seen(const FlowGraph& graph, const FlowPortal& source)
         for (int line = 0; line < kLinesPerRound; ++line) {
             const glm::dvec3 from = point_in(source.winding, dice);
             const glm::dvec3 way = direction_through(source.plane, dice);
-            int leaf = source.to_leaf;
-            for (int step = 0; step < kMostLeavesOnWay && leaf >= 0; ++step) {
-                if (!has_bit(seen, leaf)) ++found;
-                set_bit(seen, leaf);
-                leaf = next_leaf(graph, leaf, from, way);
+            Place place{source.to_leaf, 0.0};
+            for (int step = 0; step < kMostLeavesOnWay && place.leaf >= 0; ++step) {
+                if (!has_bit(seen, place.leaf)) ++found;
+                set_bit(seen, place.leaf);
+                place = next_place(graph, place, from, way);
             }
         }
         if (found == 0) break;

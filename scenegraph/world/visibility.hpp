@@ -10,24 +10,19 @@
 #include "world/level.hpp"
 #include "world/pvs.hpp"
 #include "world/scene.hpp"
+#include "world/slot_rows.hpp"
 
 namespace hw {
 
 /// How the potentially visible set is made. Every choice is conservative.
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
-    int max_structure_polygons = 1500;  ///< The largest planes win; what does not is detail.
+    int max_structure_polygons = 20000; ///< The largest planes win; what does not is detail.
     int max_detail_polygons = 40000;    ///< Details past this do not block.
     double least_area_share = 3e-3;     ///< Least area in one plane, of the largest side of the scene's box.
-    int max_clusters = 3000;            ///< Past this the smallest structure polygons become details.
+    int max_clusters = 600;             ///< Past this small ones that are open to each other are merged.
     double flow_seconds = 20.0;         ///< Rough time after which portals keep their coarse answer; 0: no limit.
     int threads = 0;                    ///< 0: as many as the machine has.
-};
-
-/// A chunk of an object: what is switched on and off.
-struct ChunkSlot {
-    ObjectId object = 0;
-    std::uint32_t chunk = 0;  ///< Into the MeshChunks of the object's mesh.
 };
 
 struct VisibilityStats {
@@ -45,11 +40,10 @@ struct VisibilityStats {
 /// What can be seen from where: a BSP over the structure, and for each of its clusters the chunks to draw.
 struct Visibility {
     BspTree tree;
-    LeafRows rows;                 ///< By cluster.
+    LeafRows rows;                 ///< Clusters by clusters.
+    LeafRows slot_rows;            ///< Clusters by slots: what is drawn.
     std::vector<ChunkSlot> slots;  ///< Objects in order, then their chunks.
     std::vector<std::uint32_t> first_slot_of_object;  ///< One more than there are objects.
-    std::vector<std::uint32_t> first_in_cluster;      ///< Into slots_of_cluster; one more than there are clusters.
-    std::vector<std::uint32_t> slots_of_cluster;      ///< The slots that touch each cluster, ascending.
     VisibilityStats stats;
 };
 

@@ -35,7 +35,7 @@ struct Winding {
 /// How exact a clip is. Everything within `slack` behind the plane is kept; a polygon that nowhere reaches `least` in
 /// front of it is gone.
 struct ClipTolerance {
-    double slack = 1e-7;
+    double slack = 1e-9;
     double least = 1e-5;
 };
 

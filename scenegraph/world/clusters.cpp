@@ -1,0 +1,383 @@
+#include "world/clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <queue>
+
+namespace hw {
+namespace {
+
+using Opening = std::vector<glm::dvec3>;
+
+/// Doubled area vector.
+glm::dvec3 area_vector(const Opening& opening)
+{
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 2; i < opening.size(); ++i) {
+        sum += glm::cross(opening[i - 1] - opening[0], opening[i] - opening[0]);
+    }
+    return sum;
+}
+
+
+double area_of(std::span<const Opening> openings)
+{
+    double sum = 0.0;
+    for (const Opening& opening : openings) sum += 0.5 * glm::length(area_vector(opening));
+    return sum;
+}
+
+/// What two clusters have in common.
+struct Border {
+    double open_m2 = 0.0;   ///< Mean of both ways.
+    double whole_m2 = 0.0;
+};
+
+/// Clusters as a graph that shrinks.
+class Merger {
+ public:
+    Merger(const BspTree& tree, std::span<const LeafContact> contacts)
+        : owner_(static_cast<std::size_t>(tree.cluster_count)), boxes_(owner_.size()), borders_(owner_.size())
+    {
+        std::iota(owner_.begin(), owner_.end(), 0);
+        for (const LeafContact& contact : contacts) add(tree, contact);
+    }
+
+    void merge(int count, const ClusterOptions& options)
+    {
+        for (std::size_t a = 0; a < borders_.size(); ++a) {
+            for (const auto& [b, border] : borders_[a]) offer(static_cast<int>(a), b, options);
+        }
+        while (count > options.most && !queue_.empty()) {
+            const Candidate best = queue_.top();
+            queue_.pop();
+            if (owner_of(best.a) != best.a || owner_of(best.b) != best.b || size_of(best.a, best.b) != best.size) continue;
+            join(best.a, best.b, options);
+            --count;
+        }
+    }
+
+    int owner_of(int cluster)
+    {
+        while (owner_[static_cast<std::size_t>(cluster)] != cluster) cluster = owner_[static_cast<std::size_t>(cluster)];
+        return cluster;
+    }
+
+ private:
+    struct Candidate {
+        double size = 0.0;
+        int a = 0;
+        int b = 0;
+        bool operator<(const Candidate& other) const
+        {
+            return size != other.size ? size > other.size : a != other.a ? a > other.a : b > other.b;
+        }
+    };
+
+    void add(const BspTree& tree, const LeafContact& contact)
+    {
+        const std::size_t front = static_cast<std::size_t>(contact.front_leaf);
+        const std::size_t back = static_cast<std::size_t>(contact.back_leaf);
+        if (tree.is_solid[front] || tree.is_solid[back]) return;
+        const int a = tree.cluster_of_leaf[front];
+        const int b = tree.cluster_of_leaf[back];
+        for (const auto* openings : {&contact.forward, &contact.backward}) {
+            for (const Opening& opening : *openings) {
+                for (const glm::dvec3& corner : opening) {
+                    boxes_[static_cast<std::size_t>(a)].add(corner);
+                    boxes_[static_cast<std::size_t>(b)].add(corner);
+                }
+            }
+        }
+        if (a == b) return;
+        Border& border = borders_[static_cast<std::size_t>(std::min(a, b))][std::max(a, b)];
+        border.open_m2 += 0.5 * (area_of(contact.forward) + area_of(contact.backward));
+        border.whole_m2 += contact.area_m2;
+    }
+
+    double size_of(int a, int b) const
+    {
+        Box box = boxes_[static_cast<std::size_t>(a)];
+        box.add(boxes_[static_cast<std::size_t>(b)]);
+        if (box.is_empty()) return 0.0;
+        const glm::dvec3 size = box.size();
+        return size.x + size.y + size.z;
+    }
+
+    void offer(int a, int b, const ClusterOptions& options)
+    {
+        const Border& border = borders_[static_cast<std::size_t>(std::min(a, b))][std::max(a, b)];
+        if (border.open_m2 < options.least_open_share * border.whole_m2) return;
+        queue_.push({size_of(a, b), std::min(a, b), std::max(a, b)});
+    }
+
+    /// The neighbours of a cluster, both those numbered higher and lower.
+    std::vector<int> neighbours_of(int cluster) const
+    {
+        std::vector<int> result;
+        for (const auto& [other, border] : borders_[static_cast<std::size_t>(cluster)]) result.push_back(other);
+        for (int other = 0; other < cluster; ++other) {
+            if (borders_[static_cast<std::size_t>(other)].count(cluster)) result.push_back(other);
+        }
+        return result;
+    }
+
+    /// b becomes part of a.
+    void join(int a, int b, const ClusterOptions& options)
+    {
+        owner_[static_cast<std::size_t>(b)] = a;
+        boxes_[static_cast<std::size_t>(a)].add(boxes_[static_cast<std::size_t>(b)]);
+        for (const int other : neighbours_of(b)) {
+            const Border old = borders_[static_cast<std::size_t>(std::min(b, other))].extract(std::max(b, other)).mapped();
+            if (other == a) continue;
+            Border& border = borders_[static_cast<std::size_t>(std::min(a, other))][std::max(a, other)];
+            border.open_m2 += old.open_m2;
+            border.whole_m2 += old.whole_m2;
+        }
+        for (const int other : neighbours_of(a)) offer(a, other, options);
+    }
+
+    std::vector<int> owner_;
+    std::vector<Box> boxes_;
+    std::vector<std::map<int, Border>> borders_;  ///< By the lower number, then by the higher.
+    std::priority_queue<Candidate> queue_;
+};
+
+/// The convex hull of points of a plane, counter-clockwise about `normal`. Andrew's monotone chain.
+Opening hull_of(Opening points, const glm::dvec3& normal)
+{
+    const glm::dvec3 helper = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(helper, normal));
+    const glm::dvec3 v = glm::cross(normal, u);
+    const auto before = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        const double ua = glm::dot(a, u), ub = glm::dot(b, u);
+        return ua != ub ? ua < ub : glm::dot(a, v) < glm::dot(b, v);
+    };
+    std::sort(points.begin(), points.end(), before);
+    const auto bends_left = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        return glm::dot(glm::cross(b - a, c - b), normal) > 0.0;
+    };
+    Opening hull;
+    const auto add = [&](const glm::dvec3& point, std::size_t base) {
+        while (hull.size() >= base + 2 && !bends_left(hull[hull.size() - 2], hull.back(), point)) hull.pop_back();
+        hull.push_back(point);
+    };
+    for (const glm::dvec3& point : points) add(point, 0);
+    const std::size_t base = hull.size() - 1;
+    for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], base);
+    hull.pop_back();
+    return hull;
+}
+
+
+double area_of(const Opening& opening) { return 0.5 * glm::length(area_vector(opening)); }
+
+/// Openings that shrink in number: hulls of those whose hull adds least.
+class Simplifier {
+ public:
+    Simplifier(std::vector<Opening> openings, const glm::dvec3& normal) : openings_(std::move(openings)), normal_(normal)
+    {
+        for (const Opening& opening : openings_) areas_.push_back(area_of(opening));
+    }
+
+    std::vector<Opening> run()
+    {
+        presort();
+        while (openings_.size() > 1 && merge_one()) {
+        }
+        return std::move(openings_);
+    }
+
+ private:
+    static constexpr double kMostGrowth = 1.15;       // by which a hull may always exceed its parts
+    static constexpr std::size_t kMostOpenings = 16;  // more than this are merged at any cost
+    static constexpr std::size_t kMostPaired = 48;    // more than this are first merged with their neighbours along a line
+
+    Opening hull_of_two(std::size_t a, std::size_t b) const
+    {
+        Opening points = openings_[a];
+        points.insert(points.end(), openings_[b].begin(), openings_[b].end());
+        return hull_of(std::move(points), normal_);
+    }
+
+    void replace(std::size_t a, std::size_t b, Opening hull)
+    {
+        areas_[a] = area_of(hull);
+        openings_[a] = std::move(hull);
+        openings_.erase(openings_.begin() + static_cast<std::ptrdiff_t>(b));
+        areas_.erase(areas_.begin() + static_cast<std::ptrdiff_t>(b));
+    }
+
+    void presort()
+    {
+        while (openings_.size() > kMostPaired) {
+            std::size_t best = 0;
+            double least = std::numeric_limits<double>::infinity();
+            Opening best_hull;
+            for (std::size_t i = 0; i + 1 < openings_.size(); ++i) {
+                Opening hull = hull_of_two(i, i + 1);
+                const double added = area_of(hull) - areas_[i] - areas_[i + 1];
+                if (added >= least) continue;
+                least = added;
+                best = i;
+                best_hull = std::move(hull);
+            }
+            replace(best, best + 1, std::move(best_hull));
+        }
+    }
+
+    bool merge_one()
+    {
+        std::size_t best_a = 0;
+        std::size_t best_b = 0;
+        double least = std::numeric_limits<double>::infinity();
+        Opening best_hull;
+        for (std::size_t a = 0; a < openings_.size(); ++a) {
+            for (std::size_t b = a + 1; b < openings_.size(); ++b) {
+                Opening hull = hull_of_two(a, b);
+                const double parts = areas_[a] + areas_[b];
+                const double added = area_of(hull) - parts;
+                const bool is_allowed = openings_.size() > kMostOpenings || added <= (kMostGrowth - 1.0) * parts;
+                if (!is_allowed || added >= least) continue;
+                least = added;
+                best_a = a;
+                best_b = b;
+                best_hull = std::move(hull);
+            }
+        }
+        if (best_b == 0) return false;
+        replace(best_a, best_b, std::move(best_hull));
+        return true;
+    }
+
+    std::vector<Opening> openings_;
+    std::vector<double> areas_;
+    glm::dvec3 normal_;
+};
+
+/// Openings between two clusters in one plane.
+struct Passage {
+    int plane = 0;
+    int from = 0;
+    int to = 0;
+    bool is_forward = false;
+    auto operator<=>(const Passage&) const = default;
+};
+
+/// Makes each part of a cluster that has no opening to the others a cluster of its own: the inside of a chimney is not the
+/// room around it.
+void part_clusters(BspTree& tree, std::span<const LeafContact> contacts)
+{
+    std::vector<int> part(static_cast<std::size_t>(tree.leaf_count));
+    std::iota(part.begin(), part.end(), 0);
+    const auto part_of = [&](int leaf) {
+        while (part[static_cast<std::size_t>(leaf)] != leaf) {
+            int& up = part[static_cast<std::size_t>(leaf)];
+            up = part[static_cast<std::size_t>(up)];
+            leaf = up;
+        }
+        return leaf;
+    };
+    for (const LeafContact& contact : contacts) {
+        const std::size_t front = static_cast<std::size_t>(contact.front_leaf);
+        const std::size_t back = static_cast<std::size_t>(contact.back_leaf);
+        const bool is_within = tree.cluster_of_leaf[front] == tree.cluster_of_leaf[back];
+        if (!is_within || tree.is_solid[front] != tree.is_solid[back]) continue;
+        if (contact.forward.empty() && contact.backward.empty()) continue;
+        const int a = part_of(contact.front_leaf);
+        const int b = part_of(contact.back_leaf);
+        part[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+    std::vector<int> number(part.size(), -1);
+    tree.cluster_count = 0;
+    for (int leaf = 0; leaf < tree.leaf_count; ++leaf) {
+        int& cluster = number[static_cast<std::size_t>(part_of(leaf))];
+        if (cluster < 0) cluster = tree.cluster_count++;
+        tree.cluster_of_leaf[static_cast<std::size_t>(leaf)] = cluster;
+    }
+}
+
+}  // namespace
+
+void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options)
+{
+    part_clusters(tree, contacts);
+    Merger merger(tree, contacts);
+    std::vector<std::uint8_t> is_open(static_cast<std::size_t>(tree.cluster_count));
+    for (std::size_t leaf = 0; leaf < tree.is_solid.size(); ++leaf) {
+        if (!tree.is_solid[leaf]) is_open[static_cast<std::size_t>(tree.cluster_of_leaf[leaf])] = 1;
+    }
+    merger.merge(static_cast<int>(std::count(is_open.begin(), is_open.end(), std::uint8_t{1})), options);
+    std::vector<int> number(is_open.size(), 0);
+    int count = 1;
+    for (std::size_t cluster = 0; cluster < is_open.size(); ++cluster) {
+        const int owner = merger.owner_of(static_cast<int>(cluster));
+        if (is_open[cluster] && owner == static_cast<int>(cluster)) number[cluster] = count++;
+    }
+    for (std::size_t leaf = 0; leaf < tree.is_solid.size(); ++leaf) {
+        const int owner = merger.owner_of(tree.cluster_of_leaf[leaf]);
+        tree.cluster_of_leaf[leaf] = tree.is_solid[leaf] ? 0 : number[static_cast<std::size_t>(owner)];
+    }
+    tree.cluster_count = count;
+}
+
+PortalGraph cluster_portals(const BspBuild& build, std::span<const LeafContact> contacts)
+{
+    const BspTree& tree = build.tree;
+    std::map<Passage, std::vector<Opening>> passages;
+    for (const LeafContact& contact : contacts) {
+        const std::size_t front = static_cast<std::size_t>(contact.front_leaf);
+        const std::size_t back = static_cast<std::size_t>(contact.back_leaf);
+        if (tree.is_solid[front] || tree.is_solid[back]) continue;
+        const int a = tree.cluster_of_leaf[front];
+        const int b = tree.cluster_of_leaf[back];
+        if (a == b) continue;
+        const auto collect = [&](const Passage& passage, const std::vector<Opening>& openings) {
+            if (openings.empty()) return;
+            std::vector<Opening>& all = passages[passage];
+            all.insert(all.end(), openings.begin(), openings.end());
+        };
+        const int plane = build.plane_of_node[contact.node];
+        collect({plane, a, b, false}, contact.backward);
+        collect({plane, b, a, true}, contact.forward);
+    }
+    PortalGraph graph;
+    graph.leaf_count = tree.cluster_count;
+    for (auto& [passage, openings] : passages) {
+        const ExactPlane& plane = build.planes[passage.plane];
+        const double sign = passage.is_forward ? 1.0 : -1.0;
+        const glm::dvec3 normal = sign * plane.unit_normal;
+        for (Opening& opening : Simplifier(std::move(openings), normal).run()) {
+            if (glm::dot(area_vector(opening), normal) < 0.0) std::reverse(opening.begin(), opening.end());
+            graph.portals.push_back({passage.from, passage.to, normal, sign * plane.unit_offset * tree.grid.step_m,
+                                     std::move(opening)});
+        }
+    }
+    return graph;
+}
+
+std::vector<Box> cluster_boxes(const BspTree& tree, std::span<const LeafContact> contacts)
+{
+    std::vector<Box> boxes(static_cast<std::size_t>(tree.cluster_count));
+    const auto box_of = [&](int leaf) -> Box& {
+        return boxes[static_cast<std::size_t>(tree.cluster_of_leaf[static_cast<std::size_t>(leaf)])];
+    };
+    for (const LeafContact& contact : contacts) {
+        const Box bounds{contact.bounds.min + tree.grid.origin_world, contact.bounds.max + tree.grid.origin_world};
+        box_of(contact.front_leaf).add(bounds);
+        box_of(contact.back_leaf).add(bounds);
+    }
+    // A corner of a leaf lies on a contact, unless it is a corner of the whole box.
+    const Box& whole = tree.bounds_world;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 point((corner & 1) ? whole.max.x : whole.min.x, (corner & 2) ? whole.max.y : whole.min.y,
+                               (corner & 4) ? whole.max.z : whole.min.z);
+        box_of(leaf_at(tree, point)).add(point);
+    }
+    return boxes;
+}
+
+}  // namespace hw

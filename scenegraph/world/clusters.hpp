@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "world/bsp.hpp"
+#include "world/portals.hpp"
+#include "world/pvs.hpp"
+
+namespace hw {
+
+/// How far clusters are merged.
+struct ClusterOptions {
+    int most = 600;                 ///< Small clusters that are open to each other are merged until there are so many.
+    double least_open_share = 0.6;  ///< Of their contact, for two clusters to be merged at all.
+};
+
+/// Makes clusters of what is really one place, and renumbers them. Parts of a cluster that no opening joins are clusters of
+/// their own. Those without an open leaf become one, number 0 (it needs no row of its own). Of the others, pairs whose
+/// contact is mostly open are merged, smallest first; what stood between them no longer blocks: more is visible, never
+/// less.
+void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options);
+
+/// The openings between the clusters. Those of one passage in one plane become their hull where that adds little, or where
+/// they are too many.
+PortalGraph cluster_portals(const BspBuild& build, std::span<const LeafContact> contacts);
+
+/// A box around each cluster, world space.
+std::vector<Box> cluster_boxes(const BspTree& tree, std::span<const LeafContact> contacts);
+
+}  // namespace hw
