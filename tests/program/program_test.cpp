@@ -114,6 +114,18 @@ TEST(program, the_schema_that_comes_with_it_is_the_one_that_it_writes)
         << "run: build/release/bin/hatchway schema --out content/level.schema.json";
 }
 
+TEST(program, the_manual_lists_every_key_and_parameter)
+{
+    const std::string manual = bytes_of(fs::path(HATCHWAY_SOURCE_DIR) / "docs" / "level_files.md");
+    const json properties = json::parse(bytes_of(kContent / "level.schema.json"))["properties"];
+    for (const auto& [key, value] : properties.items())
+        EXPECT_TRUE(key == "$schema" || manual.find("| `" + key + "` |") != std::string::npos) << key;
+    for (const json& style : properties["styles"]["additionalProperties"]["allOf"])
+        for (const auto& [name, value] : style["then"]["properties"].items())
+            EXPECT_TRUE(name == "plugin" || manual.find("| `" + name + "` | ") != std::string::npos)
+                << name << ": run docs/style_tables.py";
+}
+
 TEST(program, renders_every_style_on_a_bare_model)
 {
     const TemporaryFolder folder;
