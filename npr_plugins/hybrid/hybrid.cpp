@@ -26,7 +26,8 @@ class Hybrid final : public hw::Style {
         visitor.real({"to_m", "Height where ink has its full share; of gradient object: share of its height."}, to_m_,
                      -1000.0f, 1000.0f);
         visitor.colour({"tint", "Colour of the ink's paper: a free variable of the presentation, such as certainty."}, tint_);
-        visitor.colour({"ink_colour", "Colour of lines and hatching."}, ink_);
+        visitor.colour({"ink_colour", "Colour of lines."}, ink_);
+        visitor.colour({"hatch_colour", "Colour of hatching and of ink maps."}, hatch_ink_);
         visitor.real({"crease_deg", "Edges folded by more than this are drawn from every viewpoint.",
                       hw::ParamChange::rebuild}, crease_deg_, 1.0f, 180.0f);
         visitor.real({"line_width_px", "Width of lines."}, line_width_px_, 0.0f, 16.0f);
@@ -35,6 +36,8 @@ class Hybrid final : public hw::Style {
         visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
         visitor.real({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_deg_, -90.0f, 90.0f);
         visitor.real({"darkness", "Ink coverage of the darkest shadow."}, darkness_, 0.0f, 1.0f);
+        visitor.real({"white_from", "Light above which paper stays white."}, white_from_, 0.05f, 1.0f);
+        visitor.real({"shadow_below", "Light below which hatching is darkest."}, shadow_below_, 0.0f, 0.95f);
     }
 
     hw::Needs needs() const override
@@ -60,10 +63,10 @@ class Hybrid final : public hw::Style {
                 .set("ink_weight", ink_weight_)
                 .set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, 90.0f, 0.5f))
                 .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + kCrossDeg)))
-                .set("tone_range", glm::vec4(darkness_, 0.84f, 0.10f, 0.25f))
+                .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, 0.15f))
                 .set("paper_colour", hw::linear_colour(tint_))
                 .set("uncertain_colour", hw::linear_colour(tint_))
-                .set("ink_colour", hw::linear_colour(ink_))
+                .set("ink_colour", hw::linear_colour(hatch_ink_))
                 .set("from_material", glm::vec2(0.0f))
                 .set("shade", 0.0f)
                 .set("ink_map_look", glm::vec2(1.0f, 0.7f));
@@ -106,9 +109,9 @@ class Hybrid final : public hw::Style {
 
     float ink_weight_ = 1.0f, from_m_ = 0.25f, to_m_ = 0.75f;
     int gradient_ = kObject;
-    glm::vec3 tint_{0.99f, 0.98f, 0.95f}, ink_{0.09f, 0.08f, 0.08f};
+    glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
-    float spacing_px_ = 5.5f, stroke_width_px_ = 1.0f, hatch_deg_ = 52.0f, darkness_ = 0.64f;
+    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f;
     hw::Program program_;
 };
 

@@ -31,7 +31,9 @@ class PenAndInk final : public hw::Style {
         visitor.real({"material_tone", "How much dark materials darken the hatching."}, material_tone_, 0.0f, 1.0f);
         visitor.real({"shade", "Smooth gray shade under the ink."}, shade_, 0.0f, 1.0f);
         visitor.colour({"paper_colour", "Colour of faces."}, paper_);
-        visitor.colour({"ink_colour", "Colour of lines and hatching."}, ink_);
+        visitor.colour({"ink_colour", "Colour of lines."}, ink_);
+        visitor.colour({"hatch_colour", "Colour of hatching and of ink maps: a little softer than lines, it stays behind them."},
+                       hatch_ink_);
         visitor.real({"paper_from_material", "Share of the material's colour in the paper's.", hw::ParamChange::rebuild},
                      paper_from_material_, 0.0f, 1.0f);
         visitor.real({"ink_from_material", "Share of the material's colour in the hatching's.", hw::ParamChange::rebuild},
@@ -73,7 +75,7 @@ class PenAndInk final : public hw::Style {
             .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + cross_deg_)))
             .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, material_tone_))
             .set("paper_colour", hw::linear_colour(paper_))
-            .set("ink_colour", hw::linear_colour(ink_))
+            .set("ink_colour", hw::linear_colour(hatch_ink_))
             .set("uncertain_colour", hw::linear_colour(uncertain_))
             .set("from_material", glm::vec2(paper_from_material_, ink_from_material_))
             .set("shade", shade_)
@@ -106,14 +108,14 @@ class PenAndInk final : public hw::Style {
         visitor.flag({"far_thinning", "Fades crowded lines of far objects, so that they do not turn black."}, is_far_thinned_);
     }
 
-    float crease_deg_ = 40.0f, line_width_px_ = 1.1f, silhouette_width_px_ = 1.8f, depth_taper_ = 0.0f;
+    float crease_deg_ = 40.0f, line_width_px_ = 1.2f, silhouette_width_px_ = 1.9f, depth_taper_ = 0.0f;
     bool is_far_thinned_ = true;
     int tone_ = kShaded;
-    float spacing_px_ = 5.5f, stroke_width_px_ = 1.0f, stroke_length_px_ = 90.0f, wobble_px_ = 0.5f;
+    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, stroke_length_px_ = 90.0f, wobble_px_ = 0.5f;
     float hatch_deg_ = 52.0f, cross_deg_ = 70.0f;
-    float darkness_ = 0.64f, white_from_ = 0.84f, shadow_below_ = 0.10f, material_tone_ = 0.25f, shade_ = 0.0f;
-    glm::vec3 paper_{0.99f, 0.98f, 0.95f}, ink_{0.09f, 0.08f, 0.08f}, uncertain_{0.99f, 0.98f, 0.95f};
-    float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f, ink_map_detail_ = 0.7f;
+    float darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f, material_tone_ = 0.15f, shade_ = 0.0f;
+    glm::vec3 paper_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f}, uncertain_{1.0f};
+    float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f, ink_map_detail_ = 0.9f;
     hw::MapName hatch_{"fine"}, ink_map_;
     hw::Program program_;
 };

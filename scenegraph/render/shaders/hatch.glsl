@@ -145,8 +145,8 @@ float hw_hatch_map_ink(sampler2D map, vec4 info, float u, vec2 u_d, float spacin
 // Ink of a 2-D map at `uv` metres, right and up; dx and dy its derivatives in the picture; `info`: hw_ink_info. The level
 // follows the direction in which the map is seen shortest, so that strokes never run together; two samples along that
 // direction let it be one level finer. `detail` takes levels finer by that much: more and thinner strokes. Edges of strokes
-// are one pixel wide, however large a texel is. Nearer than the finest level the drawing grows with the object, farther than
-// the coarsest it is an even tone.
+// are one pixel wide, however large a texel is. Nearer than the finest level the drawing grows with the object and pales,
+// farther than the coarsest it is an even tone.
 float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float detail)
 {
     vec2 to_map = info.x * vec2(1.0, -1.0 / info.y);
@@ -158,10 +158,11 @@ float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float 
     float texels_across = sqrt(min(long_x, long_y)) * texels_per_m;
     float finer = clamp(texels / max(texels_across, 1e-12), 1.0, 2.0);  // 2 where the map is seen at an angle
     float level = log2(clamp(texels / finer * hw_px_scale, 1e-12, 1e12)) - detail;
+    float grown = clamp(-0.5 * level, 0.0, 1.0);  // 1 where a texel of the finest level covers four pixels
     level = clamp(level, 0.0, info.w - 1.0);
     vec2 apart = 0.25 * longest * to_map;
     float ink = 0.5 * (hw_map_ink(map, uv * to_map - apart, level) + hw_map_ink(map, uv * to_map + apart, level));
     float texel_px = exp2(level) / max(sqrt(texels * texels_across), 1e-12);
     float edge = mix(0.5 / clamp(texel_px, 1.0, 4.0), 0.5, clamp(level - info.w + 5.0, 0.0, 1.0));
-    return clamp((ink - 0.5) / (2.0 * edge) + 0.5, 0.0, 1.0);
+    return (1.0 - 0.5 * grown) * clamp((ink - 0.5 - 0.35 * grown) / (2.0 * edge) + 0.5, 0.0, 1.0);
 }

@@ -28,7 +28,7 @@ float hw_ink_of_light(float light)
     float lit = smoothstep(tone_range.z, tone_range.y, light);
     float albedo = sqrt(clamp(hw_luminance(hw_mean_colour()), 0.0, 1.0));
     float white = mix(1.0, min(albedo * 1.4, 1.0), tone_range.w);
-    return tone_range.x * (1.0 - lit * white);
+    return tone_range.x * max(1.06 * (1.0 - lit * white) - 0.06, 0.0);  // a hand leaves the lightest tones to the paper
 }
 
 float hw_hatching(HwSurface surface, float light)
