@@ -53,9 +53,9 @@ double step_cost(const PacingState& state, int rung)
 /// differs.
 void learn_step(PacingState& state, double ms)
 {
-    if (state.left_rung == state.rung - 1) state.step_cost[state.left_rung] = std::clamp(state.left_ms / ms, 1.0, 4.0);
+    if (state.left_rung == state.rung - 1) state.step_cost[*state.left_rung] = std::clamp(state.left_ms / ms, 1.0, 4.0);
     if (state.left_rung == state.rung + 1) state.step_cost[state.rung] = std::clamp(ms / state.left_ms, 1.0, 4.0);
-    state.left_rung = -1;
+    state.left_rung.reset();
 }
 
 PacingState moved_to(PacingState state, int rung, double ms)

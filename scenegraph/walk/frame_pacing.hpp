@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,12 +29,12 @@ struct PacingState {
 
     int rung = 0;  ///< Index into frame_qualities().
     std::array<double, kWindow> frame_ms{};
-    int frame_count = 0;     ///< Filled entries of `frame_ms`.
-    int frames_to_skip = 2;  ///< Frames right after a change pay for new targets; they are not looked at.
-    double calm_s = 0.0;     ///< How long this rung has held its time.
-    double wait_s = 2.0;     ///< How long it must before a better rung is tried: doubled by each try that failed.
-    bool is_trying = false;  ///< The last change was a climb that has not yet proven itself.
-    int left_rung = -1;      ///< The rung before the last change, and what it took: measures the step between them.
+    int frame_count = 0;           ///< Filled entries of `frame_ms`.
+    int frames_to_skip = 2;        ///< Frames right after a change pay for new targets; they are not looked at.
+    double calm_s = 0.0;           ///< How long this rung has held its time.
+    double wait_s = 2.0;           ///< How long it must before a better rung is tried: doubled by each try that failed.
+    bool is_trying = false;        ///< The last change was a climb that has not yet proven itself.
+    std::optional<int> left_rung;  ///< The rung before the last change, and what it took: tells what the step costs.
     double left_ms = 0.0;
     std::array<double, 8> step_cost{};  ///< Time at a rung divided by time at the next lower one; 0: not measured yet.
 };
