@@ -17,7 +17,7 @@ constexpr std::array<FrameQuality, 5> kQualities{{{4, 1.0f}, {1, 1.0f}, {1, 0.85
 constexpr double kLate = 1.1;        // a tenth over the goal's time is late
 constexpr double kRoom = 0.85;       // a better rung must be expected to need no more than this part of the time
 constexpr double kSampleCost = 2.2;  // 4 samples against 1, until both were measured (measured: 31 and 74 ms)
-constexpr double kLongestWait_s = 60.0;
+constexpr double kCalm_s = 2.0;
 constexpr int kSkippedFrames = 2;
 constexpr int kFewestFrames = 3;
 constexpr double kLongWindow_ms = 500.0;
@@ -49,12 +49,11 @@ double step_cost(const PacingState& state, int rung)
     return pixel_cost(kQualities[rung]) / pixel_cost(kQualities[rung + 1]);
 }
 
-/// The first window after a change tells what the step costs here. Times of far apart moments would not: the view
+/// The first window after a fall tells what the step costs here. Times of far apart moments would not: the view
 /// differs.
 void learn_step(PacingState& state, double ms)
 {
     if (state.left_rung == state.rung - 1) state.step_cost[*state.left_rung] = std::clamp(state.left_ms / ms, 1.0, 4.0);
-    if (state.left_rung == state.rung + 1) state.step_cost[state.rung] = std::clamp(ms / state.left_ms, 1.0, 4.0);
     state.left_rung.reset();
 }
 
@@ -75,11 +74,7 @@ PacingState fallen(const PacingState& state, double ms, double goal_ms)
     int rung = state.rung;
     for (double expected_ms = ms; rung < last && expected_ms > kLate * goal_ms; ++rung)
         expected_ms /= step_cost(state, rung);
-    PacingState next = moved_to(state, rung, ms);
-    // Only a climb that did not hold makes pacing shy: a scene that became heavier is no mistake of its own.
-    if (state.is_trying) next.wait_s = std::min(kLongestWait_s, 2.0 * state.wait_s);
-    next.is_trying = false;
-    return next;
+    return moved_to(state, rung, ms);
 }
 
 /// A full window has been measured: fall, climb, or stay.
@@ -96,15 +91,9 @@ PacingState after_window(PacingState state, double goal_ms)
     }
     // A frame lasts at least as long as the goal gives it, so that calm is counted in what a watch would show.
     state.calm_s += frames * std::max(ms, goal_ms) / 1000.0;
-    if (state.calm_s < state.wait_s) return state;
-    if (state.is_trying) {
-        state.is_trying = false;
-        state.wait_s = PacingState{}.wait_s;
-    }
-    if (state.rung == 0 || ms * step_cost(state, state.rung - 1) > kRoom * goal_ms) return state;
-    PacingState next = moved_to(state, state.rung - 1, ms);
-    next.is_trying = true;
-    return next;
+    if (state.calm_s < kCalm_s || state.rung == 0) return state;
+    const bool has_room = ms * step_cost(state, state.rung - 1) <= kRoom * goal_ms;
+    return has_room ? moved_to(state, state.rung - 1, ms) : state;
 }
 
 }  // namespace

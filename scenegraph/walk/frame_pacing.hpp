@@ -32,8 +32,6 @@ struct PacingState {
     int frame_count = 0;           ///< Filled entries of `frame_ms`.
     int frames_to_skip = 2;        ///< Frames right after a change pay for new targets; they are not looked at.
     double calm_s = 0.0;           ///< How long this rung has held its time.
-    double wait_s = 2.0;           ///< How long it must before a better rung is tried: doubled by each try that failed.
-    bool is_trying = false;        ///< The last change was a climb that has not yet proven itself.
     std::optional<int> left_rung;  ///< The rung before the last change, and what it took: tells what the step costs.
     double left_ms = 0.0;
     std::array<double, 8> step_cost{};  ///< Time at a rung divided by time at the next lower one; 0: not measured yet.
@@ -43,8 +41,8 @@ struct PacingState {
 /// display). A function of the measured times alone: equal times, equal decisions.
 ///
 /// Falls at once when the median of a window of frames misses the goal by more than a tenth. Climbs one rung only after
-/// a while of frames so fast that the better rung would fit, too. A climb that has to be taken back doubles that while,
-/// so that the picture does not pump. One slow frame (a hot reload, a page fault) changes nothing.
+/// two seconds of frames so fast that the better rung will fit, too: what it costs is learnt from each fall, so that
+/// the picture does not pump. One slow frame (a hot reload, a page fault) changes nothing.
 PacingState after_frame(const PacingState& state, const PacingGoal& goal, double frame_ms);
 
 /// The quality for the next frame.

@@ -90,7 +90,7 @@ TEST(frame_pacing, what_was_learnt_at_a_heavy_place_does_not_bar_the_way_back_at
 
 TEST(frame_pacing, between_two_rungs_it_does_not_pump)
 {
-    // At 85 % the frame has room; at 100 % it is a little late: a climb is tried ever more rarely.
+    // At 85 % the frame has room; at 100 % it is a little late: a climb is tried once.
     const Machine machine = [](const hw::FrameQuality& quality, double) {
         return quality.samples == 4 ? 90.0 : quality.render_scale == 1.0f ? 38.0 : 20.0;
     };
@@ -98,6 +98,26 @@ TEST(frame_pacing, between_two_rungs_it_does_not_pump)
     Drive later = run_for(180.0, machine, 30.0, first);
     EXPECT_LE(first.changes, 12);
     EXPECT_LE(later.changes - first.changes, 10);
+}
+
+TEST(frame_pacing, a_machine_that_slows_down_only_after_a_while_is_not_tried_for_ever)
+{
+    double full_since_s = 0.0;
+    const Machine machine = [&](const hw::FrameQuality& quality, double time_s) {
+        if (quality.samples == 4) return 90.0;
+        if (quality.render_scale < 1.0f) full_since_s = time_s;
+        return time_s - full_since_s < 1.0 ? 20.0 : 45.0;
+    };
+    const Drive run = run_for(240.0, machine);
+    EXPECT_LE(run.changes, 8);
+}
+
+TEST(frame_pacing, a_glance_at_a_light_corner_does_not_change_the_picture)
+{
+    const Drive run = run_for(60.0, [](const auto& quality, double time_s) {
+        return software_ms(quality, std::fmod(time_s, 4.0) < 1.0 ? 4.0 : 28.0);
+    });
+    EXPECT_LE(run.changes, 1);
 }
 
 TEST(frame_pacing, one_slow_frame_changes_nothing)

@@ -317,6 +317,24 @@ TEST(player, a_groove_between_two_steep_slopes_does_not_hold_it_for_good)
     EXPECT_GT(glm::distance(state.foot_world, along.foot_world), 1.0);
 }
 
+TEST(player, wedged_in_a_pit_it_stands_and_can_jump_out)
+{
+    Solids ground;
+    ground.quad({-9, 0, -9}, {9, 0, -9}, {9, 0, -0.4}, {-9, 0, -0.4})
+        .quad({-9, 0, 0.4}, {9, 0, 0.4}, {9, 0, 9}, {-9, 0, 9});
+    ground.quad({-9, 0, -0.4}, {-0.4, 0, -0.4}, {-0.4, 0, 0.4}, {-9, 0, 0.4});
+    ground.quad({0.4, 0, -0.4}, {9, 0, -0.4}, {9, 0, 0.4}, {0.4, 0, 0.4});
+    const glm::dvec3 tip(0, -0.9, 0), corners[] = {{-0.4, 0, -0.4}, {0.4, 0, -0.4}, {0.4, 0, 0.4}, {-0.4, 0, 0.4}};
+    for (int i = 0; i < 4; ++i) ground.quad(corners[i], corners[(i + 1) % 4], tip, tip);
+    const auto world = ground.world();
+    auto state = standing_at({0, 0.5, 0}, world);
+    state.is_flying = state.is_carried = false;
+    state = after(2.0, state, {}, world);
+    EXPECT_LT(state.foot_world.y, -0.1);
+    const auto jumping = after(4.0, state, {.forward = 1.0, .wants_jump = true}, world);
+    EXPECT_LT(jumping.foot_world.z, -2.0);
+}
+
 TEST(player, a_start_inside_of_a_wall_is_moved_out)
 {
     const auto world = Solids().floor().box({-50, 0, -3}, {50, 3, -2.8}).world();
