@@ -34,6 +34,7 @@ void add_commands(CLI::App& app)
     hw::add_silhouettes_command(app);
     hw::add_measure_command(app);
     hw::add_report_command(app);
+    hw::add_map_command(app);
     hw::add_new_style_command(app);
     hw::add_schema_command(app);
 }

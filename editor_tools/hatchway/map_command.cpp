@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/limits.hpp"
+#include "hatchway/commands.hpp"
+#include "io/images.hpp"
+#include "io/json_out.hpp"
+#include "io/svg_strokes.hpp"
+#include "render/hatch_map.hpp"
+#include "render/ink_map.hpp"
+#include "render/tonal_map.hpp"
+
+namespace hw {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MapArguments {
+    fs::path folder;
+    fs::path preview;
+    fs::path drawing;
+    std::string method = "strokes";
+    InkMapDesc ink;
+    HatchMapDesc hatch;
+    TonalMapDesc tonal;
+};
+
+/// All levels below each other, coarse ones enlarged to the width of the finest, so that their pens can be compared.
+Pixels preview_of(const MapLevels& map)
+{
+    const int width = map.levels.front().width;
+    Pixels sheet{.width = width, .height = 0, .channels = 1};
+    for (const Pixels& level : map.levels) {
+        if (level.width < 4) break;
+        const int scale = std::max(width / level.width, 1);
+        const int rows = map.kind == MapKind::hatch ? 24 : level.height * scale;
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < width; ++x)
+                sheet.bytes.push_back(*level.at(std::min(x / scale, level.width - 1),
+                                                map.kind == MapKind::hatch ? 0 : y / scale));
+        sheet.height += rows;
+    }
+    return sheet;
+}
+
+void write_map(const MapLevels& map, const MapArguments& arguments)
+{
+    std::error_code failed;
+    fs::create_directories(arguments.folder, failed);
+    if (failed) throw Error({.what = "the folder cannot be made: " + failed.message(), .file = arguments.folder.string()});
+    for (std::size_t i = 0; i < map.levels.size(); ++i)
+        write_png(arguments.folder / fmt::format("level_{}.png", i), map.levels[i]);
+    constexpr const char* kKinds[] = {"hatch", "ink", "tonal"};
+    JsonValue json = JsonValue::object();
+    json.set("format", "hatchway-map/1").set("kind", kKinds[static_cast<int>(map.kind)]);
+    json.set("levels", static_cast<int>(map.levels.size())).set("size_m", map.size_m);
+    if (map.kind == MapKind::hatch) json.set("spacing_texels", map.spacing_texels);
+    write_json(arguments.folder / "map.json", json);
+    if (!arguments.preview.empty()) write_png(arguments.preview, preview_of(map));
+}
+
+int power_of_two(int texels)
+{
+    int result = 1;
+    while (2 * result <= texels) result *= 2;
+    return result;
+}
+
+MapLevels ink_map_of(MapArguments& arguments)
+{
+    const SvgDrawing drawing = read_svg_strokes(arguments.drawing);
+    std::vector<MapStroke> strokes;
+    bool has_priorities = false;
+    for (const SvgStroke& stroke : drawing.strokes) {
+        strokes.push_back({.points = stroke.points, .width = stroke.width, .priority = stroke.priority});
+        for (glm::dvec2& point : strokes.back().points) point.y /= drawing.height_share;
+        has_priorities = has_priorities || stroke.has_priority;
+    }
+    if (!has_priorities) rank_evenly(strokes);
+    arguments.ink.height_texels = power_of_two(static_cast<int>(arguments.ink.width_texels * drawing.height_share * 1.4));
+    const InkMap ink = make_ink_map(strokes, arguments.ink);
+    for (std::size_t i = 0; i < ink.stroke_counts.size(); ++i)
+        fmt::print("level {}: {} of {} strokes\n", i, ink.stroke_counts[i], strokes.size());
+    if (arguments.method == "minimum") return filtered_by_minimum(ink.map.levels.front(), arguments.ink.size_m);
+    if (arguments.method == "mean") return filtered_by_mean(ink.map.levels.front(), arguments.ink.size_m);
+    return ink.map;
+}
+
+CLI::App* add_kind(CLI::App& map, const std::string& name, const std::string& help, MapArguments& arguments)
+{
+    CLI::App* kind = map.add_subcommand(name, help);
+    kind->add_option("--out", arguments.folder, "Folder of the map: level_0.png, level_1.png, ... and map.json")->required();
+    kind->add_option("--preview", arguments.preview, "PNG that shows all levels, coarse ones enlarged");
+    return kind;
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<MapArguments>();
+    CLI::App* map = app.add_subcommand("map", "Draws hatch, ink and tonal maps with their levels");
+    map->require_subcommand(1);
+
+    CLI::App* hatch = add_kind(*map, "hatch", "Parallel lines, equally far apart at every level", *arguments);
+    hatch->add_option("--width", arguments->hatch.width_texels, "Texels of the finest level, a power of two")
+        ->check(CLI::IsMember({64, 128, 256, 512, 1024, 2048, 4096}));
+    hatch->add_option("--spacing", arguments->hatch.spacing_texels, "Texels between lines")->check(CLI::IsMember({4, 8, 16, 32}));
+    hatch->add_option("--line", arguments->hatch.line_texels, "Width of a line, texels")->check(CLI::Range(0.2, 4.0));
+    hatch->callback([arguments] { write_map(make_hatch_map(arguments->hatch), *arguments); });
+
+    CLI::App* ink = add_kind(*map, "ink", "A drawing, inked anew at every level with the same pen", *arguments);
+    ink->add_option("drawing", arguments->drawing, "SVG file with strokes")->required()->option_text("SVG");
+    ink->add_option("--width", arguments->ink.width_texels, "Texels of the finest level")
+        ->check(CLI::IsMember({64, 128, 256, 512, 1024, 2048}));
+    ink->add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels")->check(CLI::Range(0.5, 8.0));
+    ink->add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface")->check(CLI::Range(0.001, 1000.0));
+    ink->add_option("--method", arguments->method, "strokes; or filtered levels, for comparison: minimum, mean")
+        ->check(CLI::IsMember({"strokes", "minimum", "mean"}));
+    ink->callback([arguments] { write_map(ink_map_of(*arguments), *arguments); });
+
+    CLI::App* tonal = add_kind(*map, "tonal", "Tones of nested strokes", *arguments);
+    TonalMapDesc& desc = arguments->tonal;
+    tonal->add_option("--width", desc.size_texels, "Texels of one tone")->check(CLI::IsMember({64, 128, 256, 512}));
+    tonal->add_option("--pen", desc.pen_texels, "Width of a stroke, texels")->check(CLI::Range(0.5, 8.0));
+    tonal->add_option("--length", desc.length_share, "Length of strokes, of the map's width")->check(CLI::Range(0.05, 1.0));
+    tonal->add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray")->check(CLI::Range(0.0, 45.0));
+    tonal->add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes")->check(CLI::Range(0.0, 90.0));
+    tonal->add_option("--size-m", desc.size_m, "Width of one tone on a surface")->check(CLI::Range(0.001, 1000.0));
+    tonal->add_option("--seed", desc.seed, "Of all that is random");
+    tonal->callback([arguments] { write_map(make_tonal_map(arguments->tonal), *arguments); });
+}
+
+}  // namespace hw

@@ -1,0 +1,92 @@
+#include "render/tonal_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/stroke_drawing.hpp"
+
+using namespace hw;
+
+namespace {
+
+const MapLevels& tonal_map()
+{
+    static const MapLevels map = make_tonal_map({.size_texels = 128});
+    return map;
+}
+
+float ink_at(const MapLevels& map, std::size_t level, int tone, int x, int y)
+{
+    const Pixels& pixels = map.levels[level];
+    return 1.0f - *pixels.at(tone * pixels.height + x, y) / 255.0f;
+}
+
+double tone_of(const MapLevels& map, std::size_t level, int tone)
+{
+    const int size = map.levels[level].height;
+    double sum = 0.0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) sum += ink_at(map, level, tone, x, y);
+    return sum / (size * size);
+}
+
+}  // namespace
+
+TEST(tonal_map, tones_stand_side_by_side_at_every_level)
+{
+    for (const Pixels& level : tonal_map().levels) EXPECT_EQ(level.width, 6 * level.height);
+    EXPECT_EQ(tonal_map().levels.back().height, 1);
+}
+
+TEST(tonal_map, every_tone_has_its_coverage_at_every_level)
+{
+    double squares = 0.0;
+    int count = 0;
+    for (std::size_t level = 0; level < tonal_map().levels.size(); ++level) {
+        for (int tone = 0; tone < 6; ++tone) {
+            const double error = tone_of(tonal_map(), level, tone) - (tone + 1) / 6.0;
+            EXPECT_LT(std::abs(error), 0.06) << "level " << level << ", tone " << tone;
+            squares += error * error;
+            ++count;
+        }
+    }
+    EXPECT_LT(std::sqrt(squares / count), 0.04);
+}
+
+TEST(tonal_map, a_darker_tone_holds_all_ink_of_a_lighter_one_at_every_level)
+{
+    for (std::size_t level = 0; level < tonal_map().levels.size(); ++level)
+        for (int tone = 0; tone + 1 < 6; ++tone)
+            for (int y = 0; y < tonal_map().levels[level].height; ++y)
+                for (int x = 0; x < tonal_map().levels[level].height; ++x)
+                    ASSERT_GE(ink_at(tonal_map(), level, tone + 1, x, y), ink_at(tonal_map(), level, tone, x, y))
+                        << "level " << level << ", tone " << tone << " at " << x << ", " << y;
+}
+
+TEST(tonal_map, a_finer_level_holds_the_strokes_of_every_coarser_one)
+{
+    // A texel that is all ink lies in the middle of a stroke; the same place must be inked, within a pen, one level finer.
+    for (std::size_t level = 0; level + 1 < tonal_map().levels.size(); ++level) {
+        const int coarse = tonal_map().levels[level + 1].height;
+        if (coarse < 16) break;
+        for (int tone = 0; tone < 5; ++tone)
+            for (int y = 0; y < coarse; ++y)
+                for (int x = 0; x < coarse; ++x) {
+                    if (ink_at(tonal_map(), level + 1, tone, x, y) < 0.999f) continue;
+                    float most = 0.0f;
+                    for (int j = -1; j <= 2; ++j)
+                        for (int i = -1; i <= 2; ++i)
+                            most = std::max(most, ink_at(tonal_map(), level, tone, (2 * x + i + 2 * coarse) % (2 * coarse),
+                                                         (2 * y + j + 2 * coarse) % (2 * coarse)));
+                    ASSERT_GT(most, 0.5f) << "level " << level + 1 << ", tone " << tone << " at " << x << ", " << y;
+                }
+    }
+}
+
+TEST(tonal_map, equal_descriptions_give_equal_bytes_and_another_seed_gives_others)
+{
+    const MapLevels again = make_tonal_map({.size_texels = 128});
+    EXPECT_EQ(again.levels[0].bytes, tonal_map().levels[0].bytes);
+    EXPECT_NE(make_tonal_map({.size_texels = 128, .seed = 2}).levels[0].bytes, tonal_map().levels[0].bytes);
+}
