@@ -84,16 +84,11 @@ PacingState after_window(PacingState state, double goal_ms)
     const double frames = std::exchange(state.frame_count, 0);
     const int last = static_cast<int>(kQualities.size()) - 1;
     learn_step(state, ms);
-    if (ms > kLate * goal_ms) {
-        if (state.rung < last) return fallen(state, ms, goal_ms);
-        state.calm_s = 0.0;
-        return state;
-    }
+    const bool has_room = state.rung > 0 && ms * step_cost(state, state.rung - 1) <= kRoom * goal_ms;
     // A frame lasts at least as long as the goal gives it, so that calm is counted in what a watch would show.
-    state.calm_s += frames * std::max(ms, goal_ms) / 1000.0;
-    if (state.calm_s < kCalm_s || state.rung == 0) return state;
-    const bool has_room = ms * step_cost(state, state.rung - 1) <= kRoom * goal_ms;
-    return has_room ? moved_to(state, state.rung - 1, ms) : state;
+    state.calm_s = has_room ? state.calm_s + frames * goal_ms / 1000.0 : 0.0;
+    if (ms > kLate * goal_ms && state.rung < last) return fallen(state, ms, goal_ms);
+    return state.calm_s >= kCalm_s ? moved_to(state, state.rung - 1, ms) : state;
 }
 
 }  // namespace

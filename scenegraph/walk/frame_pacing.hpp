@@ -31,7 +31,7 @@ struct PacingState {
     std::array<double, kWindow> frame_ms{};
     int frame_count = 0;           ///< Filled entries of `frame_ms`.
     int frames_to_skip = 2;        ///< Frames right after a change pay for new targets; they are not looked at.
-    double calm_s = 0.0;           ///< How long this rung has held its time.
+    double calm_s = 0.0;           ///< How long there has been room for a better rung.
     std::optional<int> left_rung;  ///< The rung before the last change, and what it took: tells what the step costs.
     double left_ms = 0.0;
     std::array<double, 8> step_cost{};  ///< Time at a rung divided by time at the next lower one; 0: not measured yet.
