@@ -134,11 +134,13 @@ Contact contact_at(const Triangle& triangle, const glm::dvec3& foot, const Capsu
 void sweep_against(const Triangle& triangle, const glm::dvec3& from, const glm::dvec3& way, const Capsule& capsule,
                    SweepHit& hit)
 {
+    // A way along a wall must not stop for the last bit of the wall's normal.
+    const double noise = 1e-8 * glm::length(way);
     double fraction = 0.0;
     for (int step = 0; step < kMostAdvances; ++step) {
         const Contact contact = contact_at(triangle, from + fraction * way, capsule);
         const double approach = -glm::dot(way, contact.normal);  // metres of gap lost over the whole way
-        if (approach <= 0.0) return;  // a plane between two convex bodies that do not come nearer
+        if (approach <= noise) return;  // a plane between two convex bodies that do not come nearer
         const double gap = contact.gap - kCollisionSkin;
         if (gap <= kTouch || step + 1 == kMostAdvances) {
             if (hit.is_hit && fraction >= hit.fraction) return;

@@ -78,7 +78,8 @@ NearestPoints nearest_points(const Segment3& segment, const std::array<glm::dvec
     if (const auto point = crossing(segment, triangle)) return {*point, *point};
     NearestPoints best{segment.a, nearest_on_triangle(segment.a, triangle)};
     const auto offer = [&](const NearestPoints& pair) {
-        if (squared_distance(pair) < squared_distance(best)) best = pair;
+        // Between equals the first stays: a corner's foot on the triangle has the cleanest direction.
+        if (squared_distance(pair) < (1.0 - 1e-12) * squared_distance(best)) best = pair;
     };
     offer({segment.b, nearest_on_triangle(segment.b, triangle)});
     for (std::size_t i = 0; i < 3; ++i) offer(nearest_of_segments(segment, {triangle[i], triangle[(i + 1) % 3]}));

@@ -69,10 +69,29 @@ void add_object(const Scene& scene, ObjectId id, const Grid& grid, bool is_named
 
 void set_box(Structure& structure, const Box& bounds_world)
 {
-    const glm::dvec3 size = bounds_world.size();
-    const double margin_m = std::max(0.01 * std::max({size.x, size.y, size.z}), 64.0 * structure.grid.step_m);
-    structure.box_min = snapped(structure.grid, bounds_world.min - margin_m);
-    structure.box_max = snapped(structure.grid, bounds_world.max + margin_m);
+    // A sight line between two points of the box never leaves it, so the box is as tight as can be: what lies in its faces
+    // blocks nothing, and there is no outside to look around through.
+    structure.box_min = snapped(structure.grid, bounds_world.min);
+    structure.box_max = snapped(structure.grid, bounds_world.max);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (structure.box_max[axis] - structure.box_min[axis] >= 128) continue;
+        structure.box_min[axis] -= 64;
+        structure.box_max[axis] += 64;
+    }
+}
+
+/// The numbers of the planes of the box's faces.
+std::vector<int> box_planes(Structure& structure)
+{
+    std::vector<int> result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const std::int64_t place : {structure.box_min[axis], structure.box_max[axis]}) {
+            std::array<std::int64_t, 3> normal{};
+            normal[axis] = 1;
+            result.push_back(structure.planes.add(make_plane(normal, -static_cast<Int128>(place))).plane);
+        }
+    }
+    return result;
 }
 
 double largest_side(const Box& box)
@@ -86,6 +105,7 @@ void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, con
                       Structure& structure)
 {
     const double square_m = structure.grid.step_m * structure.grid.step_m;
+    const std::vector<int> of_box = box_planes(structure);
     std::vector<SidePlane> planes;
     std::vector<double> area_of_plane;
     for (const FlatPolygon& flat : polygons) {
@@ -105,6 +125,7 @@ void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, con
     structure.left_out = static_cast<int>(order.size() - std::min(order.size(), most));
     order.resize(std::min(order.size(), most));
     for (const std::size_t i : order) {
+        if (std::find(of_box.begin(), of_box.end(), planes[i].plane) != of_box.end()) continue;
         const FlatPolygon& flat = polygons[i];
         BlockingPolygon polygon;
         polygon.polygon = polygon_over_ring(structure.planes, planes[i].plane, flat.ring);

@@ -14,7 +14,7 @@ namespace hw {
 struct StructureOptions {
     int max_structure = 20000;
     int max_details = 40000;
-    double least_area_share = 3e-3;  ///< All that lies in one plane, of the largest side of the scene's box.
+    double least_area_share = 1e-2;  ///< All that lies in one plane, of the largest side of the scene's box.
 };
 
 /// The polygons that partition space and block sight, snapped to the grid.
@@ -24,7 +24,7 @@ struct Structure {
     std::vector<BlockingPolygon> polygons;     ///< By the area in their plane, largest first: structure, then details.
     int structure_count = 0;
     int left_out = 0;                          ///< Polygons over the budget: they do not block.
-    std::array<std::int64_t, 3> box_min{};     ///< A box of grid points around the scene, a little larger.
+    std::array<std::int64_t, 3> box_min{};     ///< The scene's box; what lies in its faces is left out.
     std::array<std::int64_t, 3> box_max{};
     double scene_side_m2 = 0.0;                ///< Area of the largest side of the scene's box.
     double area_m2 = 0.0;                      ///< Of all polygons.

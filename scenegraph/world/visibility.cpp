@@ -21,24 +21,26 @@ void make_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, 
     }
 }
 
-/// For each cluster, whether a leaf of it is not solid.
-std::vector<std::uint8_t> open_clusters(const BspTree& tree)
+/// For each cluster, whether sight enters or leaves it: pockets that overlapping objects shut in are no places.
+std::vector<std::uint8_t> open_clusters(const PortalGraph& graph)
 {
-    std::vector<std::uint8_t> result(static_cast<std::size_t>(tree.cluster_count));
-    for (std::size_t leaf = 0; leaf < tree.is_solid.size(); ++leaf) {
-        if (!tree.is_solid[leaf]) result[static_cast<std::size_t>(tree.cluster_of_leaf[leaf])] = 1;
+    std::vector<std::uint8_t> result(static_cast<std::size_t>(graph.leaf_count));
+    for (const DirectedPortal& portal : graph.portals) {
+        result[static_cast<std::size_t>(portal.from_leaf)] = 1;
+        result[static_cast<std::size_t>(portal.to_leaf)] = 1;
     }
     return result;
 }
 
-double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const Visibility& visibility)
+double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const Visibility& visibility,
+                             const PortalGraph& graph)
 {
     std::vector<double> triangles;
     for (const ChunkSlot& slot : visibility.slots) {
         const std::size_t mesh = static_cast<std::size_t>(scene.objects[slot.object].mesh);
         triangles.push_back(chunks_of_mesh[mesh][slot.chunk].index_count / 3.0);
     }
-    const std::vector<std::uint8_t> is_open = open_clusters(visibility.tree);
+    const std::vector<std::uint8_t> is_open = open_clusters(graph);
     const auto open_count = std::count(is_open.begin(), is_open.end(), std::uint8_t{1});
     const double total = std::accumulate(triangles.begin(), triangles.end(), 0.0);
     if (total == 0.0 || open_count == 0) return 1.0;
@@ -112,7 +114,7 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     stats.clusters = visibility.tree.cluster_count;
     stats.portals = static_cast<int>(graph.portals.size());
     stats.coarse_portals = pvs.coarse_portals;
-    stats.average_visible_share = average_visible_share(scene, chunks_of_mesh, visibility);
+    stats.average_visible_share = average_visible_share(scene, chunks_of_mesh, visibility, graph);
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return visibility;
 }

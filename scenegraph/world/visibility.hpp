@@ -19,9 +19,9 @@ struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
     int max_structure_polygons = 20000; ///< The largest planes win; what does not is detail.
     int max_detail_polygons = 40000;    ///< Details past this do not block.
-    double least_area_share = 3e-3;     ///< Least area in one plane, of the largest side of the scene's box.
-    int max_clusters = 600;             ///< Past this small ones that are open to each other are merged.
-    double flow_seconds = 20.0;         ///< Rough time after which portals keep their coarse answer; 0: no limit.
+    double least_area_share = 1e-2;     ///< Least area in one plane, of the largest side of the scene's box.
+    int max_clusters = 1000;            ///< Past this small ones that are open to each other are merged.
+    double flow_seconds = 10.0;         ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
     int threads = 0;                    ///< 0: as many as the machine has.
 };
 
@@ -33,7 +33,7 @@ struct VisibilityStats {
     int clusters = 0;
     int portals = 0;
     int coarse_portals = 0;              ///< Portals whose flow ran out of budget and kept the coarse answer.
-    double average_visible_share = 1.0;  ///< Triangles in a row over all, mean over the clusters that are not solid.
+    double average_visible_share = 1.0;  ///< Triangles in a row over all, mean over the clusters with an opening.
     double seconds = 0.0;
 };
 
