@@ -4,10 +4,11 @@
 //   |N - 32767 n| <= sqrt(3)/2 + 0.07      rounding, and the normal itself from doubles to a relative 2e-6 (else N = 0)
 //   |P - (p - c) / h| <= sqrt(3)/2 + 0.001  rounding, and the doubles before it
 //   |s - N . D| <= 6 u |N| |D| < 0.013 |D|  three products, two sums, the difference and E rounded to floats
-// so |s - t| <= 0.95 |D| + 32767 * 0.868, and |D| <= |E| + 32767 sqrt(3). bound_of() returns more than that.
+// so |s - t| <= 0.95 |D| + 32767 * 0.868, and |D| <= |E| + 32767 sqrt(3). query() takes more than that.
 #include "geometry/facing_filter.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -21,74 +22,44 @@ namespace hw {
 namespace {
 
 constexpr double kSteps = 32767.0;
-constexpr std::size_t kBlock = 32;
-
-/// The eye in steps and the certainty bound for one query.
-struct Query {
-    glm::vec3 eye;
-    float anchor_weight;  ///< 1; 0 for orthographic views, whose faces need no anchor.
-    float bound;
-};
-
-Query query_of(const Viewpoint& viewpoint, const glm::dvec3& centre, double step)
-{
-    glm::dvec3 eye = viewpoint.eye;
-    if (viewpoint.is_orthographic) {
-        const double length = std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
-        eye *= length > 0.0 ? kSteps / length : 0.0;
-        return {glm::vec3(eye), 0.0f, static_cast<float>(1.001 * glm::length(eye))};
-    }
-    eye = (eye - centre) / step;
-    const double reach = glm::length(eye) + 1.7321 * kSteps;
-    const bool is_near = reach < 1e15;
-    return {is_near ? glm::vec3(eye) : glm::vec3(0.0f), 1.0f,
-            is_near ? static_cast<float>(1.001 * (0.97 * reach + 0.88 * kSteps))
-                    : std::numeric_limits<float>::infinity()};
-}
+constexpr std::uint32_t kBlock = FacingFilter::kBlock;
 
 struct Streams {
     std::array<const std::int16_t*, 3> normal;
     std::array<const std::int16_t*, 3> anchor;
 };
 
-struct Words {
-    std::uint32_t front;
-    std::uint32_t open;
+/// Where open faces are listed; the padding after the last face is always open and never listed.
+struct OpenList {
+    std::span<std::uint32_t> faces;
+    std::uint32_t count;
+    std::uint32_t face_count;
+
+    void add(std::uint32_t open, std::uint32_t first)
+    {
+        for (; open != 0; open &= open - 1) {
+            const std::uint32_t face = first + static_cast<std::uint32_t>(std::countr_zero(open));
+            if (face < face_count) faces[count++] = face;
+        }
+    }
 };
 
-Words decide_block(const Streams& s, std::size_t first, const Query& query)
+void decide_portably(const Streams& s, std::uint32_t first, std::uint32_t end, const FacingFilter::Query& query,
+                     std::uint8_t* facing, OpenList& list)
 {
-    Words words{0, 0};
-    for (std::size_t i = 0; i < kBlock; ++i) {
-        const std::size_t f = first + i;
-        float distance = 0.0f;
-        for (int axis = 0; axis < 3; ++axis) {
-            distance += s.normal[axis][f] * (query.eye[axis] - query.anchor_weight * s.anchor[axis][f]);
+    for (; first < end; first += kBlock) {
+        std::uint32_t open = 0;
+        for (std::uint32_t i = 0; i < kBlock; ++i) {
+            const std::uint32_t f = first + i;
+            float distance = 0.0f;
+            for (int axis = 0; axis < 3; ++axis) {
+                distance += s.normal[axis][f] * (query.eye[axis] - query.anchor_weight * s.anchor[axis][f]);
+            }
+            facing[f] = distance > query.bound;
+            open |= static_cast<std::uint32_t>(!(distance > query.bound) && !(distance < -query.bound)) << i;
         }
-        const bool is_front = distance > query.bound, is_back = distance < -query.bound;
-        words.front |= static_cast<std::uint32_t>(is_front) << i;
-        words.open |= static_cast<std::uint32_t>(!is_front && !is_back) << i;
+        list.add(open, first);
     }
-    return words;
-}
-
-void store_open(std::uint32_t open, std::uint32_t first, std::span<std::uint32_t> open_faces, std::uint32_t& count)
-{
-    for (; open != 0; open &= open - 1) {
-        open_faces[count++] = first + static_cast<std::uint32_t>(__builtin_ctz(open));
-    }
-}
-
-std::uint32_t decide_portably(const Streams& streams, std::size_t padded, const Query& query, std::uint32_t* bits,
-                              std::span<std::uint32_t> open_faces)
-{
-    std::uint32_t count = 0;
-    for (std::size_t first = 0; first < padded; first += kBlock) {
-        const Words words = decide_block(streams, first, query);
-        bits[first / kBlock] = words.front;
-        store_open(words.open, static_cast<std::uint32_t>(first), open_faces, count);
-    }
-    return count;
 }
 
 #ifdef HW_HAS_AVX2_PATH
@@ -97,31 +68,38 @@ __attribute__((target("avx2,fma"))) inline __m256 eight_steps(const std::int16_t
     return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
 }
 
-__attribute__((target("avx2,fma"))) std::uint32_t decide_with_avx2(const Streams& s, std::size_t padded,
-                                                                   const Query& query, std::uint32_t* bits,
-                                                                   std::span<std::uint32_t> open_faces)
+/// A byte of 0 or 1 for each bit.
+__attribute__((target("avx2,fma"))) inline __m256i bytes_of(std::uint32_t bits)
+{
+    const __m256i places = _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
+    const __m256i own_bit = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201ull));
+    const __m256i spread = _mm256_shuffle_epi8(_mm256_set1_epi32(static_cast<int>(bits)), places);
+    const __m256i is_set = _mm256_cmpeq_epi8(_mm256_and_si256(spread, own_bit), own_bit);
+    return _mm256_and_si256(is_set, _mm256_set1_epi8(1));
+}
+
+__attribute__((target("avx2,fma"))) void decide_with_avx2(const Streams& s, std::uint32_t first, std::uint32_t end,
+                                                          const FacingFilter::Query& query, std::uint8_t* facing,
+                                                          OpenList& list)
 {
     const __m256 eye[3] = {_mm256_set1_ps(query.eye.x), _mm256_set1_ps(query.eye.y), _mm256_set1_ps(query.eye.z)};
     const __m256 weight = _mm256_set1_ps(query.anchor_weight);
     const __m256 above = _mm256_set1_ps(query.bound), below = _mm256_set1_ps(-query.bound);
-    std::uint32_t count = 0;
-    for (std::size_t first = 0; first < padded; first += kBlock) {
+    for (; first < end; first += kBlock) {
         std::uint32_t front = 0, back = 0;
-        for (unsigned lane = 0; lane < kBlock; lane += 8) {
+        for (std::uint32_t lane = 0; lane < kBlock; lane += 8) {
             __m256 distance = _mm256_setzero_ps();
             for (int axis = 0; axis < 3; ++axis) {
-                const __m256 offset =
-                    _mm256_fnmadd_ps(weight, eight_steps(s.anchor[axis] + first + lane), eye[axis]);
+                const __m256 offset = _mm256_fnmadd_ps(weight, eight_steps(s.anchor[axis] + first + lane), eye[axis]);
                 distance = _mm256_fmadd_ps(eight_steps(s.normal[axis] + first + lane), offset, distance);
             }
             front |= static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(distance, above, _CMP_GT_OQ))) << lane;
             back |= static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(distance, below, _CMP_LT_OQ))) << lane;
         }
-        bits[first / kBlock] = front;
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(facing + first), bytes_of(front));
         const std::uint32_t open = ~(front | back);
-        if (open != 0) store_open(open, static_cast<std::uint32_t>(first), open_faces, count);
+        if (open != 0) list.add(open, first);
     }
-    return count;
 }
 #endif
 
@@ -163,26 +141,40 @@ void FacingFilter::prepare(std::span<const glm::vec3> positions, std::span<const
     }
 }
 
-std::uint32_t FacingFilter::decide(const Viewpoint& viewpoint_object, std::span<std::uint32_t> facing_bits,
-                                   std::span<std::uint32_t> open_faces) const
+FacingFilter::Query FacingFilter::query(const Viewpoint& viewpoint_object) const
 {
-    const Query query = query_of(viewpoint_object, centre_, step_);
+    glm::dvec3 eye = viewpoint_object.eye;
+    if (viewpoint_object.is_orthographic) {
+        const double length = std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
+        eye *= length > 0.0 ? kSteps / length : 0.0;
+        return {glm::vec3(eye), 0.0f, static_cast<float>(1.001 * glm::length(eye))};
+    }
+    eye = (eye - centre_) / step_;
+    const double reach = glm::length(eye) + 1.7321 * kSteps;
+    if (!(reach < 1e15)) return {glm::vec3(0.0f), 1.0f, std::numeric_limits<float>::infinity()};
+    return {glm::vec3(eye), 1.0f, static_cast<float>(1.001 * (0.97 * reach + 0.88 * kSteps))};
+}
+
+std::uint32_t FacingFilter::decide(const Query& query, std::uint32_t first_block, std::uint32_t block_count,
+                                   std::span<std::uint8_t> facing, std::span<std::uint32_t> open_faces,
+                                   std::uint32_t open_count) const
+{
     Streams streams;
     for (int axis = 0; axis < 3; ++axis) {
         streams.normal[axis] = normal_[axis].data();
         streams.anchor[axis] = anchor_[axis].data();
     }
-    const std::size_t padded = normal_[0].size();
-    std::uint32_t count = 0;
+    OpenList list{open_faces, open_count, face_count_};
+    const std::uint32_t first = first_block * kBlock, end = first + block_count * kBlock;
 #ifdef HW_HAS_AVX2_PATH
     static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    count = has_avx2 ? decide_with_avx2(streams, padded, query, facing_bits.data(), open_faces)
-                     : decide_portably(streams, padded, query, facing_bits.data(), open_faces);
-#else
-    count = decide_portably(streams, padded, query, facing_bits.data(), open_faces);
+    if (has_avx2) {
+        decide_with_avx2(streams, first, end, query, facing.data(), list);
+        return list.count;
+    }
 #endif
-    while (count > 0 && open_faces[count - 1] >= face_count_) --count;  // the padding is always open
-    return count;
+    decide_portably(streams, first, end, query, facing.data(), list);
+    return list.count;
 }
 
 }  // namespace hw

@@ -32,12 +32,24 @@ class FacingFilter {
     /// Rounds the planes of `faces`.
     void prepare(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> faces);
 
-    /// Decides 32 faces at a time: bit f of `facing_bits` is set where the viewer is for certain on the outer side of
-    /// face f; faces that the filter cannot decide get a clear bit and go to `open_faces`, which must have room for all
-    /// faces. Returns their number. `facing_bits` has room for a bit a face.
-    std::uint32_t decide(const Viewpoint& viewpoint_object, std::span<std::uint32_t> facing_bits,
-                         std::span<std::uint32_t> open_faces) const;
+    static constexpr std::uint32_t kBlock = 32;  ///< Faces that are decided together.
 
+    /// A viewpoint as the filter needs it.
+    struct Query {
+        glm::vec3 eye{0.0f};          ///< In steps from the middle of the mesh; a direction for orthographic views.
+        float anchor_weight = 1.0f;   ///< 0 for orthographic views, whose faces need no anchor.
+        float bound = 0.0f;           ///< What is farther from 0 is certain.
+    };
+    Query query(const Viewpoint& viewpoint_object) const;
+
+    /// Decides the faces of some blocks: facing[f] becomes 1 where the viewer is for certain on the outer side of face f,
+    /// else 0. Faces that the filter cannot decide are appended to `open_faces` at `open_count`, which is returned raised.
+    /// Both have room for all faces, rounded up to blocks.
+    std::uint32_t decide(const Query& query, std::uint32_t first_block, std::uint32_t block_count,
+                         std::span<std::uint8_t> facing, std::span<std::uint32_t> open_faces,
+                         std::uint32_t open_count) const;
+
+    std::uint32_t block_count() const { return (face_count_ + kBlock - 1) / kBlock; }
     std::uint32_t face_count() const { return face_count_; }
     std::size_t bytes() const { return 6 * sizeof(std::int16_t) * normal_[0].size(); }
 

@@ -125,6 +125,9 @@ class Gathering {
     /// silhouettes now.
     void add_marked_silhouettes(const std::array<EdgeRange, 2>& artist)
     {
+        const Viewpoint here = in_object({camera_.eye_world, false}, object_->world_from_object);
+        if (artist[0].size() + artist[1].size() == 0) return;
+        find_facing(*object_->surface, here, FacingPrecision::exact, scratch_);
         for (const EdgeRange range : artist) {
             for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
                 const auto [a, b] = object_->surface->edges.faces[edge];

@@ -6,27 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/predicates.hpp"
+#include "geometry/silhouette_stages.hpp"
 #include "geometry/surface_faces.hpp"
 
 namespace hw {
 namespace {
-
-void set_bit(std::vector<std::uint32_t>& bits, std::uint32_t index, bool value)
-{
-    const std::uint32_t mask = 1u << (index & 31);
-    bits[index >> 5] = value ? bits[index >> 5] | mask : bits[index >> 5] & ~mask;
-}
-
-int exact_facing(const Surface& surface, std::uint32_t face, const Viewpoint& viewpoint, SilhouetteCounters& counters)
-{
-    const auto& [a, b, c] = surface.faces[face];
-    PredicateStage stage;
-    const int sign =
-        facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], viewpoint, &stage);
-    ++counters.double_stage;
-    counters.exact_stage += stage == PredicateStage::exact;
-    return sign;
-}
 
 /// The facing that one precision alone would give, rounding and all.
 template <typename Vector>
@@ -39,93 +23,137 @@ bool rounded_facing(const Surface& surface, std::uint32_t face, const Viewpoint&
 }
 
 template <typename Vector>
-void decide_rounded(const Surface& surface, const Viewpoint& viewpoint, std::vector<std::uint32_t>& bits)
+void decide_rounded(const Surface& surface, const Viewpoint& viewpoint, std::vector<std::uint8_t>& facing)
 {
-    std::fill(bits.begin(), bits.end(), 0u);
     for (std::uint32_t face = 0; face < surface.faces.size(); ++face) {
-        bits[face >> 5] |= std::uint32_t{rounded_facing<Vector>(surface, face, viewpoint)} << (face & 31);
+        facing[face] = rounded_facing<Vector>(surface, face, viewpoint);
     }
 }
 
-void decide_exactly(const Surface& surface, const Viewpoint& viewpoint, SilhouetteScratch& scratch)
-{
-    const std::size_t padded = (surface.faces.size() + 31) / 32 * 32;
-    if (scratch.open_faces.size() < padded) scratch.open_faces.resize(padded);
-    const std::uint32_t open = surface.filter.decide(viewpoint, scratch.facing_bits, scratch.open_faces);
-    for (std::uint32_t i = 0; i < open; ++i) {
-        const std::uint32_t face = scratch.open_faces[i];
-        if (exact_facing(surface, face, viewpoint, scratch.counters) > 0) set_bit(scratch.facing_bits, face, true);
-    }
-}
-
-/// The facing of faces turned over; a face whose plane contains the eye is back-facing from both sides.
-void decide_twins(const Surface& surface, const Viewpoint& viewpoint, SilhouetteScratch& scratch)
-{
-    const auto face_count = static_cast<std::uint32_t>(surface.faces.size());
-    for (std::uint32_t twin = 0; twin < surface.filter.twins.size(); ++twin) {
-        const std::uint32_t plane = plane_face(surface, surface.filter.twins[twin].face);
-        const bool is_front = plane != kNoFace && exact_facing(surface, plane, viewpoint, scratch.counters) < 0;
-        set_bit(scratch.facing_bits, face_count + twin, is_front);
-    }
-}
-
-/// Edges of [range.begin, range.end) whose faces differ, appended to scratch.edges from `count` on.
+/// Edges of [range.begin, range.end) whose faces differ, appended to scratch.edges from `count` on. Four at a time: where
+/// none differs, the most common case by far, nothing is written.
 std::uint32_t append_differing(const Surface& surface, EdgeRange range, SilhouetteScratch& scratch, std::uint32_t count)
 {
-    const std::uint32_t* const bits = scratch.facing_bits.data();
+    const std::uint8_t* const facing = scratch.facing.data();
     const std::array<std::uint32_t, 2>* const faces = surface.edges.faces.data();
     std::uint32_t* const found = scratch.edges.data();
-    for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-        const auto [a, b] = faces[edge];
-        found[count] = edge;  // written always, kept only when the bits differ: no branch to mispredict
-        count += ((bits[a >> 5] >> (a & 31)) ^ (bits[b >> 5] >> (b & 31))) & 1u;
+    const auto differs = [&](std::uint32_t edge) -> std::uint32_t {
+        return facing[faces[edge][0]] ^ facing[faces[edge][1]];
+    };
+    std::uint32_t edge = range.begin;
+    for (; edge + 4 <= range.end; edge += 4) {
+        const std::array<std::uint32_t, 4> four{differs(edge), differs(edge + 1), differs(edge + 2), differs(edge + 3)};
+        if ((four[0] | four[1] | four[2] | four[3]) == 0) continue;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            found[count] = edge + i;  // kept only when it differs: no branch to mispredict
+            count += four[i];
+        }
+    }
+    for (; edge < range.end; ++edge) {
+        found[count] = edge;
+        count += differs(edge);
     }
     scratch.counters.edges_tested += range.size();
     return count;
 }
 
-void make_room(std::vector<std::uint32_t>& memory, std::size_t size)
+bool takes_hierarchy(const Surface& surface, const SilhouetteOptions& options)
 {
-    if (memory.size() < size) memory.resize(size);
+    return options.method != SilhouetteMethod::brute && options.precision == FacingPrecision::exact &&
+           !surface.clusters.is_empty();
+}
+
+std::uint32_t search_all(const SilhouetteSearch& search, FacingPrecision precision, SilhouetteScratch& scratch)
+{
+    const Surface& surface = search.surface;
+    find_facing(surface, search.viewpoint, precision, scratch);
+    if (!search.has_turned_faces) {
+        for (std::size_t twin = 0; twin < surface.filter.twins.size(); ++twin) {
+            scratch.facing[surface.faces.size() + twin] = scratch.facing[surface.filter.twins[twin].face];
+        }
+    }
+    std::uint32_t count = 0;
+    for (const EdgeRange range : search.ranges) count = append_differing(surface, range, scratch, count);
+    return count;
+}
+
+std::span<const std::uint32_t> search(const SilhouetteSearch& search, const SilhouetteOptions& options,
+                                      SilhouetteScratch& scratch)
+{
+    std::size_t most = 1;  // brute force writes one past the last
+    for (const EdgeRange range : search.ranges) most += range.size();
+    make_room(scratch.edges, most);
+    const std::uint32_t count = takes_hierarchy(search.surface, options)
+                                    ? search_clusters(search, scratch)
+                                    : search_all(search, options.precision, scratch);
+    scratch.counters.edges_found += count;
+    return {scratch.edges.data(), count};
 }
 
 }  // namespace
 
+int counted_facing_sign(const Surface& surface, std::uint32_t face, const Viewpoint& viewpoint,
+                        SilhouetteCounters& counters)
+{
+    const auto& [a, b, c] = surface.faces[face];
+    PredicateStage stage;
+    const int sign = facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], viewpoint, &stage);
+    ++counters.double_stage;
+    counters.exact_stage += stage == PredicateStage::exact;
+    return sign;
+}
+
+void decide_blocks(const Surface& surface, const Viewpoint& viewpoint, const FacingFilter::Query& query,
+                   std::uint32_t first_block, std::uint32_t block_count, SilhouetteScratch& scratch)
+{
+    const std::uint32_t open =
+        surface.filter.decide(query, first_block, block_count, scratch.facing, scratch.open_faces, 0);
+    for (std::uint32_t i = 0; i < open; ++i) {
+        const std::uint32_t face = scratch.open_faces[i];
+        scratch.facing[face] = counted_facing_sign(surface, face, viewpoint, scratch.counters) > 0;
+    }
+}
+
+bool is_twin_facing(const Surface& surface, std::uint32_t twin, const Viewpoint& viewpoint,
+                    SilhouetteCounters& counters)
+{
+    const std::uint32_t plane = plane_face(surface, surface.filter.twins[twin].face);
+    return plane != kNoFace && counted_facing_sign(surface, plane, viewpoint, counters) < 0;
+}
+
 void find_facing(const Surface& surface, const Viewpoint& viewpoint_object, FacingPrecision precision,
                  SilhouetteScratch& scratch)
 {
-    make_room(scratch.facing_bits, (surface.faces.size() + surface.filter.twins.size() + 31) / 32 + 1);
+    const FacingFilter& filter = surface.filter;
+    const std::size_t padded = std::size_t{filter.block_count()} * FacingFilter::kBlock;
+    make_room(scratch.facing, padded + filter.twins.size());
+    make_room(scratch.open_faces, padded);
     switch (precision) {
-        case FacingPrecision::exact: decide_exactly(surface, viewpoint_object, scratch); break;
+        case FacingPrecision::exact:
+            decide_blocks(surface, viewpoint_object, filter.query(viewpoint_object), 0, filter.block_count(), scratch);
+            break;
         case FacingPrecision::single_only:
-            decide_rounded<glm::vec3>(surface, viewpoint_object, scratch.facing_bits);
+            decide_rounded<glm::vec3>(surface, viewpoint_object, scratch.facing);
             break;
         case FacingPrecision::double_only:
-            decide_rounded<glm::dvec3>(surface, viewpoint_object, scratch.facing_bits);
+            decide_rounded<glm::dvec3>(surface, viewpoint_object, scratch.facing);
             break;
     }
-    for (const auto& entry : surface.filter.inherited) {
-        const bool is_front = entry.source != kNoFace && is_front_facing(scratch, entry.source);
-        set_bit(scratch.facing_bits, entry.face, is_front);
+    for (const auto& entry : filter.inherited) {
+        scratch.facing[entry.face] = entry.source != kNoFace && is_front_facing(scratch, entry.source);
     }
-    decide_twins(surface, viewpoint_object, scratch);
+    for (std::uint32_t twin = 0; twin < filter.twins.size(); ++twin) {
+        scratch.facing[surface.faces.size() + twin] =
+            is_twin_facing(surface, twin, viewpoint_object, scratch.counters);
+    }
     scratch.counters.faces_tested += surface.faces.size();
 }
 
 std::span<const std::uint32_t> all_silhouettes(const Surface& surface, const Viewpoint& viewpoint_object,
                                                const SilhouetteOptions& options, SilhouetteScratch& scratch)
 {
-    const EdgeRange range = surface.edges.two_faced();
-    make_room(scratch.edges, std::size_t{range.size()} + 1);
-    find_facing(surface, viewpoint_object, options.precision, scratch);
-    // Here the faces count as they are wound, also where the surface cannot be oriented.
-    for (std::uint32_t twin = 0; twin < surface.filter.twins.size(); ++twin) {
-        const bool is_front = is_front_facing(scratch, surface.filter.twins[twin].face);
-        set_bit(scratch.facing_bits, static_cast<std::uint32_t>(surface.faces.size()) + twin, is_front);
-    }
-    const std::uint32_t count = append_differing(surface, range, scratch, 0);
-    scratch.counters.edges_found += count;
-    return {scratch.edges.data(), count};
+    const std::array<EdgeRange, 1> ranges{surface.edges.two_faced()};
+    return search({surface, viewpoint_object, ranges, false}, options, scratch);
 }
 
 std::span<const std::uint32_t> drawn_contours(const Surface& surface, const Viewpoint& viewpoint_object,
@@ -136,12 +164,7 @@ std::span<const std::uint32_t> drawn_contours(const Surface& surface, const View
         ++scratch.counters.objects_without_work;
         return {};
     }
-    make_room(scratch.edges, std::size_t{classes.candidate_count()} + 1);
-    find_facing(surface, viewpoint_object, options.precision, scratch);
-    std::uint32_t count = 0;
-    for (const EdgeRange range : classes.candidates) count = append_differing(surface, range, scratch, count);
-    scratch.counters.edges_found += count;
-    return {scratch.edges.data(), count};
+    return search({surface, viewpoint_object, classes.candidates, true}, options, scratch);
 }
 
 }  // namespace hw

@@ -12,9 +12,14 @@ namespace hw {
 /// How facing is decided. `exact` is certified; the other two exist to report what certainty costs.
 enum class FacingPrecision : std::uint8_t { exact, single_only, double_only };
 
+/// `brute` looks at every face and edge, `hierarchy` only into clusters of faces that the contour may pass through, which
+/// needs the exact precision. `automatic` takes the hierarchy where a surface has one: it paid from 2,000 faces on.
+enum class SilhouetteMethod : std::uint8_t { automatic, brute, hierarchy };
+
 struct SilhouetteOptions {
     float crease_rad = 0.7f;  ///< For drawn_contours(): edges folded by more are creases and not among the result.
     FacingPrecision precision = FacingPrecision::exact;
+    SilhouetteMethod method = SilhouetteMethod::automatic;
 };
 
 /// What the last calls cost. Sums until reset by the caller.
@@ -29,24 +34,26 @@ struct SilhouetteCounters {
 
 /// Memory kept between calls: once it has grown to the largest surface, no call allocates. One for each thread.
 struct SilhouetteScratch {
-    std::vector<std::uint32_t> facing_bits;  ///< Bit f: face f looks at the viewer.
+    std::vector<std::uint8_t> facing;  ///< 1: the face looks at the viewer. Whole only after find_facing().
     std::vector<std::uint32_t> open_faces;
     std::vector<std::uint32_t> edges;
+    std::vector<FaceClusters::Facing> clusters;
+    std::vector<std::uint8_t> filled;  ///< Clusters whose part of `facing` is valid.
     SilhouetteCounters counters;
 };
 
-/// Decides the facing of every face into scratch.facing_bits: front-facing means that the viewer is strictly on the outer
+/// Decides the facing of every face into scratch.facing: front-facing means that the viewer is strictly on the outer
 /// side of the face's plane. Collinear faces take the facing of the neighbour across their longest edge.
 void find_facing(const Surface& surface, const Viewpoint& viewpoint_object, FacingPrecision precision,
                  SilhouetteScratch& scratch);
 
 inline bool is_front_facing(const SilhouetteScratch& scratch, std::uint32_t face)
 {
-    return (scratch.facing_bits[face >> 5] >> (face & 31)) & 1u;
+    return scratch.facing[face] != 0;
 }
 
-/// Every edge of exactly two faces that differ in facing, whatever its group. Ids rise. The span lives in `scratch` until
-/// its next use.
+/// Every edge of exactly two faces that differ in facing, whatever its group. Each once, in an order that depends on the
+/// method alone; ids rise by brute force. The span lives in `scratch` until its next use.
 std::span<const std::uint32_t> all_silhouettes(const Surface& surface, const Viewpoint& viewpoint_object,
                                                const SilhouetteOptions& options, SilhouetteScratch& scratch);
 

@@ -16,6 +16,8 @@
 namespace hw {
 namespace {
 
+constexpr std::size_t kClusteredFaces = 2000;  // measured: below this, looking at all faces is faster
+
 /// The corner between the other two of a collinear face, exactly.
 int middle_corner(const Surface& surface, const FaceCorners& face)
 {
@@ -43,6 +45,7 @@ class SurfaceBuild {
         mark_artist_edges(inner_, surface_, mesh_, position_of_vertex_, options_.artist_fold_rad);
         fill_table();
         surface_.filter.prepare(surface_.positions, surface_.faces);
+        if (surface_.faces.size() >= kClusteredFaces) surface_.clusters.prepare(surface_);
         return std::move(surface_);
     }
 
@@ -53,8 +56,10 @@ class SurfaceBuild {
         surface_.report.triangles_in = static_cast<std::uint32_t>(mesh_.triangle_count());
         surface_.report.removed_faces = surface_.report.triangles_in - static_cast<std::uint32_t>(welded.faces.size());
         surface_.positions = std::move(welded.positions);
-        surface_.faces = std::move(welded.faces);
-        surface_.face_triangle = std::move(welded.face_triangle);
+        for (const std::uint32_t face : spatial_order(surface_.positions, welded.faces)) {
+            surface_.faces.push_back(welded.faces[face]);
+            surface_.face_triangle.push_back(welded.face_triangle[face]);
+        }
         position_of_vertex_ = std::move(welded.vertex_position);
         uses_ = sorted_edge_uses(surface_.faces);
         const std::vector<FaceCorners> before = surface_.faces;

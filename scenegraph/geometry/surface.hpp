@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/edge_table.hpp"
+#include "geometry/face_clusters.hpp"
 #include "geometry/facing_filter.hpp"
 #include "geometry/mesh_data.hpp"
 
@@ -49,12 +50,14 @@ struct SurfaceComponent {
 /// A mesh with its adjacency, in object space: what outlines are found on. Plain data, made once by build_surface().
 struct Surface {
     std::vector<glm::vec3> positions;                  ///< Welded; no two are equal.
-    std::vector<std::array<std::uint32_t, 3>> faces;   ///< Into `positions`, winding repaired, collinear faces included.
+    /// Into `positions`, winding repaired, collinear faces included. In spatial order.
+    std::vector<std::array<std::uint32_t, 3>> faces;
     std::vector<std::uint32_t> face_triangle;          ///< The triangle of the MeshData that a face came from.
     std::vector<std::uint32_t> face_component;         ///< Into `components`.
     std::vector<SurfaceComponent> components;
     EdgeTable edges;
     FacingFilter filter;
+    FaceClusters clusters;                             ///< Empty for surfaces so small that they would not pay.
     SurfaceReport report;
 };
 

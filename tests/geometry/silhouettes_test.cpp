@@ -49,7 +49,7 @@ TEST(silhouettes, what_is_drawn_is_a_candidate_and_a_silhouette)
             if (edge >= convex.begin && edge < convex.end) expected.push_back(edge);
         }
         const auto drawn = hw::drawn_contours(surface, {eye}, {.crease_rad = 3.2f}, scratch);
-        EXPECT_TRUE(std::equal(drawn.begin(), drawn.end(), expected.begin(), expected.end()));
+        EXPECT_TRUE(std::is_permutation(drawn.begin(), drawn.end(), expected.begin(), expected.end()));
     }
 }
 
@@ -57,15 +57,15 @@ TEST(silhouettes, no_call_allocates_once_the_scratch_is_warm)
 {
     const hw::Surface surface = hw::build_surface(sphere(64, 32));
     hw::SilhouetteScratch scratch;
-    hw::all_silhouettes(surface, {glm::dvec3(3, 0, 0)}, {}, scratch);
-    const auto* bits = scratch.facing_bits.data();
+    for (const glm::dvec3& eye : eyes_around(surface)) hw::all_silhouettes(surface, {eye}, {}, scratch);
+    const auto* facing = scratch.facing.data();
     const auto* open = scratch.open_faces.data();
     const auto* edges = scratch.edges.data();
     for (const glm::dvec3& eye : eyes_around(surface)) {
         hw::all_silhouettes(surface, {eye}, {}, scratch);
         hw::drawn_contours(surface, {eye}, {}, scratch);
     }
-    EXPECT_EQ(scratch.facing_bits.data(), bits);
+    EXPECT_EQ(scratch.facing.data(), facing);
     EXPECT_EQ(scratch.open_faces.data(), open);
     EXPECT_EQ(scratch.edges.data(), edges);
 }
@@ -80,6 +80,39 @@ TEST(silhouettes, the_filter_leaves_few_faces_open)
     }
     EXPECT_LT(scratch.counters.double_stage, scratch.counters.faces_tested / 500);
     EXPECT_EQ(scratch.counters.exact_stage, 0u);
+}
+
+TEST(silhouettes, the_hierarchy_finds_what_brute_force_finds)
+{
+    const hw::MeshData flat = moved(torus(96, 48), glm::scale(glm::mat4(1.0f), glm::vec3(1.0f, 1e-3f, 20.0f)));
+    hw::MeshData moebius = moebius_strip(3000);
+    for (const hw::MeshData& mesh : {torus(96, 48), sphere(128, 64, 1e-6f), flat, moebius, klein_bottle(64, 48)}) {
+        const hw::Surface surface = hw::build_surface(mesh, {.is_solid = false});
+        ASSERT_FALSE(surface.clusters.is_empty());
+        hw::SilhouetteScratch scratch;
+        std::vector<hw::Viewpoint> views;
+        for (const glm::dvec3& eye : eyes_around(surface)) views.push_back({eye});
+        for (int i = 0; i < 27; ++i) views.push_back({glm::dvec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), true});
+        for (const hw::Viewpoint& view : views) {
+            for (const auto find : {hw::all_silhouettes, hw::drawn_contours}) {
+                const auto brute = find(surface, view, {.method = hw::SilhouetteMethod::brute}, scratch);
+                std::vector<std::uint32_t> expected(brute.begin(), brute.end());
+                const auto found = find(surface, view, {.method = hw::SilhouetteMethod::hierarchy}, scratch);
+                std::vector<std::uint32_t> sorted(found.begin(), found.end());
+                std::sort(sorted.begin(), sorted.end());
+                ASSERT_EQ(sorted, expected);
+            }
+        }
+    }
+}
+
+TEST(silhouettes, the_hierarchy_looks_at_few_faces_of_a_fine_mesh)
+{
+    const hw::Surface surface = hw::build_surface(sphere(512, 256));
+    hw::SilhouetteScratch scratch;
+    hw::all_silhouettes(surface, {glm::dvec3(2.0, 1.5, 2.5)}, {}, scratch);
+    EXPECT_LT(scratch.counters.faces_tested, surface.faces.size() / 8);
+    EXPECT_LT(scratch.counters.edges_tested, surface.edges.size() / 8);
 }
 
 TEST(silhouettes, are_exact_for_ten_thousand_random_eyes)

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/viewpoint.hpp"
+
+namespace hw {
+
+struct Surface;
+
+/// The order in which faces that lie close together have close numbers (Morton order of their centres).
+std::vector<std::uint32_t> spatial_order(std::span<const glm::vec3> positions,
+                                         std::span<const std::array<std::uint32_t, 3>> faces);
+
+/// Faces in clusters of 64 consecutive numbers, each with a ball around it and a cone around its normals: most clusters
+/// look at the viewer, or away, as a whole, and then none of their faces and inner edges need be looked at.
+/// 4 bytes an edge and about 1 byte a face.
+class FaceClusters {
+ public:
+    static constexpr std::uint32_t kFaces = 64;
+
+    enum class Facing : std::uint8_t { back, front, mixed };
+
+    /// Edges between two clusters, or inside of one: a run of `edges()`.
+    struct Link {
+        std::uint32_t other;
+        std::uint32_t begin;
+        std::uint32_t end;
+    };
+
+    /// Takes the edges of two faces and the planes of a surface whose faces stand in spatial order.
+    void prepare(const Surface& surface);
+
+    bool is_empty() const { return count_ == 0; }
+    std::uint32_t count() const { return count_; }
+    std::size_t bytes() const;
+
+    /// Decides every cluster for certain: `front` and `back` are proven for all its faces, `mixed` is the rest.
+    void decide(const Viewpoint& viewpoint_object, std::span<Facing> facing) const;
+
+    /// The runs of edges that begin at a cluster: those inside of it first, then those to clusters of higher number.
+    std::span<const Link> links(std::uint32_t cluster) const
+    {
+        return {links_.data() + first_link_[cluster], links_.data() + first_link_[cluster + 1]};
+    }
+    std::span<const std::uint32_t> edges() const { return edges_; }
+    /// Edges at faces turned over: to be looked at one by one.
+    std::span<const std::uint32_t> loose_edges() const { return loose_edges_; }
+
+ private:
+    void bound_faces(const Surface& surface, std::uint32_t cluster);
+    void sort_edges(const Surface& surface);
+
+    std::uint32_t count_ = 0;
+    glm::dvec3 centre_{0.0};
+    double scale_ = 1.0;
+    std::array<std::vector<float>, 8> bounds_;  // ball x y z r, cone x y z sine; relative to centre_ and scale_
+    std::vector<std::uint32_t> edges_;
+    std::vector<Link> links_;
+    std::vector<std::uint32_t> first_link_;
+    std::vector<std::uint32_t> loose_edges_;
+};
+
+}  // namespace hw

@@ -1,0 +1,126 @@
+// Only clusters through which the contour may pass are opened. Edges between a cluster that looks at the viewer as a whole
+// and one that looks away need the bytes of their faces too; those are then filled in from the cluster.
+#include <algorithm>
+#include <cstring>
+
+#include "geometry/silhouette_stages.hpp"
+#include "geometry/surface_faces.hpp"
+
+namespace hw {
+namespace {
+
+using Facing = FaceClusters::Facing;
+
+constexpr std::uint32_t kBlocks = FaceClusters::kFaces / FacingFilter::kBlock;
+
+class ClusterSearch {
+ public:
+    ClusterSearch(const SilhouetteSearch& search, SilhouetteScratch& scratch)
+        : search_(search), surface_(search.surface), clusters_(search.surface.clusters), scratch_(scratch)
+    {
+        const FacingFilter& filter = surface_.filter;
+        make_room(scratch.facing, std::size_t{clusters_.count()} * FaceClusters::kFaces);
+        make_room(scratch.open_faces, std::size_t{filter.block_count()} * FacingFilter::kBlock);
+        make_room(scratch.clusters, clusters_.count());
+        make_room(scratch.filled, clusters_.count());
+        std::fill_n(scratch.filled.begin(), clusters_.count(), std::uint8_t{0});
+    }
+
+    std::uint32_t run()
+    {
+        clusters_.decide(search_.viewpoint, scratch_.clusters);
+        open_mixed_clusters();
+        for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
+            for (const FaceClusters::Link& link : clusters_.links(cluster)) {
+                const Facing own = scratch_.clusters[cluster], other = scratch_.clusters[link.other];
+                if (own == other && own != Facing::mixed) continue;
+                fill(cluster);
+                fill(link.other);
+                test(clusters_.edges().subspan(link.begin, link.end - link.begin));
+            }
+        }
+        test_loose_edges();
+        return count_;
+    }
+
+ private:
+    void open_mixed_clusters()
+    {
+        const FacingFilter::Query query = surface_.filter.query(search_.viewpoint);
+        for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
+            if (scratch_.clusters[cluster] != Facing::mixed) continue;
+            const std::uint32_t first = cluster * kBlocks;
+            const std::uint32_t blocks = std::min(kBlocks, surface_.filter.block_count() - first);
+            decide_blocks(surface_, search_.viewpoint, query, first, blocks, scratch_);
+            scratch_.filled[cluster] = 1;
+            scratch_.counters.faces_tested += std::uint64_t{blocks} * FacingFilter::kBlock;
+        }
+        // A cluster with a collinear face is never uniform, so that its bytes are there.
+        for (const auto& entry : surface_.filter.inherited) {
+            scratch_.facing[entry.face] = entry.source != kNoFace && is_front(entry.source);
+        }
+    }
+
+    bool is_front(std::uint32_t face) const
+    {
+        const Facing cluster = scratch_.clusters[face / FaceClusters::kFaces];
+        return cluster == Facing::mixed ? scratch_.facing[face] != 0 : cluster == Facing::front;
+    }
+
+    void fill(std::uint32_t cluster)
+    {
+        if (scratch_.filled[cluster]) return;
+        scratch_.filled[cluster] = 1;
+        std::memset(scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces,
+                    scratch_.clusters[cluster] == Facing::front ? 1 : 0, FaceClusters::kFaces);
+    }
+
+    bool is_wanted(std::uint32_t edge) const
+    {
+        return std::any_of(search_.ranges.begin(), search_.ranges.end(),
+                           [&](const EdgeRange& range) { return edge >= range.begin && edge < range.end; });
+    }
+
+    void keep(std::uint32_t edge)
+    {
+        if (is_wanted(edge)) scratch_.edges[count_++] = edge;
+    }
+
+    void test(std::span<const std::uint32_t> edges)
+    {
+        const std::uint8_t* const facing = scratch_.facing.data();
+        for (const std::uint32_t edge : edges) {
+            const auto [a, b] = surface_.edges.faces[edge];
+            if (facing[a] != facing[b]) keep(edge);
+        }
+        scratch_.counters.edges_tested += edges.size();
+    }
+
+    void test_loose_edges()
+    {
+        const auto face_count = static_cast<std::uint32_t>(surface_.faces.size());
+        for (const std::uint32_t edge : clusters_.loose_edges()) {
+            const auto [a, b] = surface_.edges.faces[edge];
+            const bool is_b_front = search_.has_turned_faces
+                                        ? is_twin_facing(surface_, b - face_count, search_.viewpoint, scratch_.counters)
+                                        : is_front(surface_.filter.twins[b - face_count].face);
+            if (is_front(a) != is_b_front) keep(edge);
+        }
+        scratch_.counters.edges_tested += clusters_.loose_edges().size();
+    }
+
+    const SilhouetteSearch& search_;
+    const Surface& surface_;
+    const FaceClusters& clusters_;
+    SilhouetteScratch& scratch_;
+    std::uint32_t count_ = 0;
+};
+
+}  // namespace
+
+std::uint32_t search_clusters(const SilhouetteSearch& search, SilhouetteScratch& scratch)
+{
+    return ClusterSearch(search, scratch).run();
+}
+
+}  // namespace hw
