@@ -46,6 +46,7 @@ class Hybrid final : public hw::Style {
         needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
         needs.streams = {.tangent = true, .hatch_uv = true};
         needs.shadow = hw::ShadowNeed::main_light;
+        needs.lightmap = true;
         return needs;
     }
 

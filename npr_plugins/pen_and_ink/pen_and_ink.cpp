@@ -54,6 +54,7 @@ class PenAndInk final : public hw::Style {
         needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
         needs.streams.hatch_uv = true;
         needs.shadow = tone_ == kShaded || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
+        needs.lightmap = needs.shadow != hw::ShadowNeed::none;
         if (tone_ == kPlain && !hatch_.value.empty()) needs.maps[hw::MapKind::hatch] = hatch_;
         if (!ink_map_.value.empty()) needs.maps[hw::MapKind::ink] = ink_map_;
         return needs;

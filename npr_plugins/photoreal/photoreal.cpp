@@ -18,6 +18,7 @@ class Photoreal final : public hw::Style {
     {
         hw::Needs needs;
         needs.streams.tangent = true;
+        needs.lightmap = true;
         needs.shadow = has_shadows_ ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
         return needs;
     }
