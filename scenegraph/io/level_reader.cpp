@@ -76,23 +76,21 @@ const json* LevelReader::find_names(const LevelKey& key)
     return value;
 }
 
-bool LevelReader::text(const LevelKey& key, std::string& value)
+std::optional<std::string> LevelReader::text_of(const LevelKey& key)
 {
     const json* stated = find(key);
-    if (!stated) return false;
+    if (!stated) return {};
     if (!stated->is_string() || stated->get_ref<const std::string&>().empty())
         refuse(pointer_to(pointer_, key.name), "stands " + described(*stated), "a text that is not empty");
-    value = stated->get<std::string>();
-    return true;
+    return stated->get<std::string>();
 }
 
-bool LevelReader::flag(const LevelKey& key, bool& value)
+std::optional<bool> LevelReader::flag_of(const LevelKey& key)
 {
     const json* stated = find(key);
-    if (!stated) return false;
+    if (!stated) return {};
     if (!stated->is_boolean()) refuse(pointer_to(pointer_, key.name), "stands " + described(*stated), "true or false");
-    value = stated->get<bool>();
-    return true;
+    return stated->get<bool>();
 }
 
 std::optional<double> LevelReader::number(const LevelKey& key, const LevelRange& range)
@@ -130,21 +128,21 @@ bool LevelReader::point(const LevelKey& key, glm::dvec3& value)
     return true;
 }
 
-bool LevelReader::colour(const LevelKey& key, glm::vec3& srgb)
+std::optional<glm::vec3> LevelReader::colour_of(const LevelKey& key)
 {
     const json* stated = find(key);
-    if (!stated) return false;
+    if (!stated) return {};
+    glm::vec3 srgb;
     if (!stated->is_string() || !parse_colour(stated->get<std::string>(), srgb))
         refuse(pointer_to(pointer_, key.name), "stands " + described(*stated), "a colour such as \"#1a2b3c\"");
-    return true;
+    return srgb;
 }
 
 bool LevelReader::linear_colour(const LevelKey& key, glm::vec3& linear)
 {
-    glm::vec3 srgb;
-    if (!colour(key, srgb)) return false;
-    for (int i = 0; i < 3; ++i) linear[i] = linear_from_srgb(srgb[i]);
-    return true;
+    const std::optional<glm::vec3> srgb = colour_of(key);
+    for (int i = 0; srgb && i < 3; ++i) linear[i] = linear_from_srgb((*srgb)[i]);
+    return srgb.has_value();
 }
 
 bool LevelReader::file(const LevelKey& key, std::filesystem::path& value)
@@ -168,10 +166,11 @@ bool LevelReader::constant(const LevelKey& key, std::string_view expected)
     return true;
 }
 
-bool LevelReader::texts(const LevelKey& key, std::vector<std::string>& values)
+std::optional<std::vector<std::string>> LevelReader::texts_of(const LevelKey& key)
 {
     const json* stated = find_list(key);
-    if (!stated) return false;
+    if (!stated) return {};
+    std::vector<std::string> values;
     for (std::size_t i = 0; i < stated->size(); ++i) {
         const json& value = (*stated)[i];
         if (!value.is_string() || value.get_ref<const std::string&>().empty())
@@ -179,7 +178,7 @@ bool LevelReader::texts(const LevelKey& key, std::vector<std::string>& values)
                    "a text that is not empty");
         values.push_back(value.get<std::string>());
     }
-    return true;
+    return values;
 }
 
 std::optional<std::size_t> LevelReader::index_of(const LevelKey& key, std::span<const std::string_view> names)

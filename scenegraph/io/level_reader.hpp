@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -23,26 +22,32 @@ class LevelReader {
     /// `level` gives the file and the project's root; `object` and `pointer` must outlive the reader.
     LevelReader(const Level& level, const nlohmann::json& object, std::string pointer);
 
-    bool text(const LevelKey& key, std::string& value);
-    bool flag(const LevelKey& key, bool& value);
-    bool point(const LevelKey& key, glm::dvec3& value);
-    bool colour(const LevelKey& key, glm::vec3& srgb);
-    bool linear_colour(const LevelKey& key, glm::vec3& linear);
-    bool file(const LevelKey& key, std::filesystem::path& value);
-    bool constant(const LevelKey& key, std::string_view expected);
-    bool texts(const LevelKey& key, std::vector<std::string>& values);
-    void ignored(const LevelKey& key) { find(key); }
-    void params(ParamSettings& values);
-
-    template <std::floating_point Real>
-    bool real(const LevelKey& key, const LevelRange& range, Real& value)
+    // A value may also be an optional: absent keys leave it empty.
+    template <typename T>
+    bool text(const LevelKey& key, T& value)
     {
-        const std::optional<double> stated = number(key, range);
-        if (stated) value = static_cast<Real>(*stated);
-        return stated.has_value();
+        return set(value, text_of(key));
     }
-    bool angle(const LevelKey& key, const LevelRange& range_deg, float& rad);
-
+    template <typename T>
+    bool flag(const LevelKey& key, T& value)
+    {
+        return set(value, flag_of(key));
+    }
+    template <typename T>
+    bool colour(const LevelKey& key, T& srgb)
+    {
+        return set(srgb, colour_of(key));
+    }
+    template <typename T>
+    bool texts(const LevelKey& key, T& values)
+    {
+        return set(values, texts_of(key));
+    }
+    template <typename T>
+    bool real(const LevelKey& key, const LevelRange& range, T& value)
+    {
+        return set(value, number(key, range));
+    }
     template <typename Enum>
     bool choice(const LevelKey& key, std::span<const std::string_view> names, Enum& value)
     {
@@ -50,6 +55,13 @@ class LevelReader {
         if (stated) value = static_cast<Enum>(*stated);
         return stated.has_value();
     }
+    bool point(const LevelKey& key, glm::dvec3& value);
+    bool linear_colour(const LevelKey& key, glm::vec3& linear);
+    bool angle(const LevelKey& key, const LevelRange& range_deg, float& rad);
+    bool file(const LevelKey& key, std::filesystem::path& value);
+    bool constant(const LevelKey& key, std::string_view expected);
+    void ignored(const LevelKey& key) { find(key); }
+    void params(ParamSettings& values);
 
     template <typename T>
     bool object(const LevelKey& key, T& value)
@@ -78,36 +90,12 @@ class LevelReader {
         return true;
     }
 
-    // A value that may be absent is read as the value itself.
-    template <typename T>
-    bool text(const LevelKey& key, std::optional<T>& value)
-    {
-        return optionally(value, [&](T& target) { return text(key, target); });
-    }
-    template <typename T>
-    bool flag(const LevelKey& key, std::optional<T>& value)
-    {
-        return optionally(value, [&](T& target) { return flag(key, target); });
-    }
-    template <typename T>
-    bool colour(const LevelKey& key, std::optional<T>& value)
-    {
-        return optionally(value, [&](T& target) { return colour(key, target); });
-    }
-    template <typename T>
-    bool texts(const LevelKey& key, std::optional<T>& value)
-    {
-        return optionally(value, [&](T& target) { return texts(key, target); });
-    }
-    template <typename T>
-    bool real(const LevelKey& key, const LevelRange& range, std::optional<T>& value)
-    {
-        return optionally(value, [&](T& target) { return real(key, range, target); });
-    }
     template <typename T>
     bool object(const LevelKey& key, std::optional<T>& value)
     {
-        return optionally(value, [&](T& target) { return object(key, target); });
+        T target{};
+        if (object(key, target)) value = std::move(target);
+        return value.has_value();
     }
 
     /// Call after the visit: throws for a key that was not visited, naming those that exist.
@@ -126,13 +114,11 @@ class LevelReader {
         finish(reader, target);
     }
 
-    template <typename T, typename Read>
-    static bool optionally(std::optional<T>& value, Read read)
+    template <typename T, typename U>
+    static bool set(T& target, const std::optional<U>& stated)
     {
-        T target{};
-        if (!read(target)) return false;
-        value = std::move(target);
-        return true;
+        if (stated) target = *stated;
+        return stated.has_value();
     }
 
     // What no single key can tell: keys that need or exclude each other, and where the object stands.
@@ -150,6 +136,10 @@ class LevelReader {
     const nlohmann::json* find(const LevelKey& key);
     const nlohmann::json* find_list(const LevelKey& key);
     const nlohmann::json* find_names(const LevelKey& key);
+    std::optional<std::string> text_of(const LevelKey& key);
+    std::optional<bool> flag_of(const LevelKey& key);
+    std::optional<glm::vec3> colour_of(const LevelKey& key);
+    std::optional<std::vector<std::string>> texts_of(const LevelKey& key);
     std::optional<double> number(const LevelKey& key, const LevelRange& range);
     std::optional<std::size_t> index_of(const LevelKey& key, std::span<const std::string_view> names);
     void require_look(const glm::dvec3& position, const glm::dvec3& look_at, const std::string& pointer) const;
