@@ -130,10 +130,18 @@ Contact contact_at(const Triangle& triangle, const glm::dvec3& foot, const Capsu
     return contact;
 }
 
+/// A capsule on its way, and the distance that it keeps.
+struct Sweep {
+    glm::dvec3 from{0.0};
+    glm::dvec3 way{0.0};
+    Capsule capsule;
+    double skin = kCollisionSkin;
+};
+
 /// Shortens `hit` if the triangle stops the capsule earlier.
-void sweep_against(const Triangle& triangle, const glm::dvec3& from, const glm::dvec3& way, const Capsule& capsule,
-                   SweepHit& hit)
+void sweep_against(const Triangle& triangle, const Sweep& sweep, SweepHit& hit)
 {
+    const auto& [from, way, capsule, skin] = sweep;
     // A way along a wall must not stop for the last bit of the wall's normal.
     const double noise = 1e-8 * glm::length(way);
     double fraction = 0.0;
@@ -141,7 +149,7 @@ void sweep_against(const Triangle& triangle, const glm::dvec3& from, const glm::
         const Contact contact = contact_at(triangle, from + fraction * way, capsule);
         const double approach = -glm::dot(way, contact.normal);  // metres of gap lost over the whole way
         if (approach <= noise) return;  // a plane between two convex bodies that do not come nearer
-        const double gap = contact.gap - kCollisionSkin;
+        const double gap = contact.gap - skin;
         if (gap <= kTouch || step + 1 == kMostAdvances) {
             if (hit.is_hit && fraction >= hit.fraction) return;
             hit = {true, fraction, from + fraction * way, contact.normal, contact.point, triangle.object};
@@ -174,8 +182,12 @@ SweepHit sweep_capsule(const CollisionWorld& world, const glm::dvec3& from_world
     hit.foot_world = to_world;
     Box swept = box_of(from_world, capsule, 2.0 * kCollisionSkin);
     swept.add(box_of(to_world, capsule, 2.0 * kCollisionSkin));
-    visit_triangles(world, swept,
-                    [&](const Triangle& triangle) { sweep_against(triangle, from_world, way, capsule, hit); });
+    // Who starts nearer to a wall than the skin keeps that distance: else the seams of the wall would stop him.
+    Sweep sweep{from_world, way, capsule};
+    visit_triangles(world, box_of(from_world, capsule, kCollisionSkin), [&](const Triangle& triangle) {
+        sweep.skin = std::min(sweep.skin, std::max(0.0, contact_at(triangle, from_world, capsule).gap - kTouch));
+    });
+    visit_triangles(world, swept, [&](const Triangle& triangle) { sweep_against(triangle, sweep, hit); });
     return hit;
 }
 
