@@ -66,18 +66,18 @@ std::uint32_t double_vertex(MeshData& mesh, std::uint32_t vertex)
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
-enum Side : std::uint8_t { kUnknown = 0, kStraight = 1, kMirrored = 2, kBoth = 3 };
+enum Side : std::uint8_t { unknown = 0, straight = 1, mirrored = 2, both = 3 };
 
 /// Doubles the vertices that both straight and mirrored triangles use, and lets the latter use the copies.
 void split_mirrored(MeshData& mesh, std::span<const Gradients> gradients)
 {
-    std::vector<std::uint8_t> sides(mesh.positions.size(), kUnknown);
+    std::vector<std::uint8_t> sides(mesh.positions.size(), unknown);
     for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-        if (gradients[i / 3].is_usable) sides[mesh.indices[i]] |= gradients[i / 3].is_mirrored ? kMirrored : kStraight;
+        if (gradients[i / 3].is_usable) sides[mesh.indices[i]] |= gradients[i / 3].is_mirrored ? mirrored : straight;
     std::vector<std::uint32_t> copies(mesh.positions.size(), 0);
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         std::uint32_t& vertex = mesh.indices[i];
-        if (!gradients[i / 3].is_usable || !gradients[i / 3].is_mirrored || sides[vertex] != kBoth) continue;
+        if (!gradients[i / 3].is_usable || !gradients[i / 3].is_mirrored || sides[vertex] != both) continue;
         if (copies[vertex] == 0) copies[vertex] = double_vertex(mesh, vertex);
         vertex = copies[vertex];
     }
