@@ -139,7 +139,10 @@ void FaceClusters::sort_edges(const Surface& surface)
             links_.push_back({p.to, at, at});
             ++first_link_[p.from + 1];
         }
+        const auto [a, b] = surface.edges.faces[p.edge];
         edges_.push_back(p.edge);
+        edge_faces_.push_back({static_cast<std::uint8_t>(std::min(a, b) % kFaces),
+                               static_cast<std::uint8_t>(std::max(a, b) % kFaces)});
         links_.back().end = at + 1;
     }
     for (std::size_t i = 1; i < first_link_.size(); ++i) first_link_[i] += first_link_[i - 1];
@@ -148,7 +151,7 @@ void FaceClusters::sort_edges(const Surface& surface)
 std::size_t FaceClusters::bytes() const
 {
     return bounds_.size() * bounds_[0].size() * sizeof(float) + links_.size() * sizeof(Link) +
-           (edges_.size() + first_link_.size() + loose_edges_.size()) * sizeof(std::uint32_t);
+           edge_faces_.size() * sizeof(edge_faces_[0]) + (edges_.size() + first_link_.size() + loose_edges_.size()) * sizeof(std::uint32_t);
 }
 
 void FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> facing) const

@@ -16,12 +16,12 @@ struct Surface;
 std::vector<std::uint32_t> spatial_order(std::span<const glm::vec3> positions,
                                          std::span<const std::array<std::uint32_t, 3>> faces);
 
-/// Faces in clusters of 64 consecutive numbers, each with a ball around it and a cone around its normals: most clusters
+/// Faces in clusters of 32 consecutive numbers, each with a ball around it and a cone around its normals: most clusters
 /// look at the viewer, or away, as a whole, and then none of their faces and inner edges need be looked at.
-/// 4 bytes an edge and about 1 byte a face.
+/// 6 bytes an edge and about 3 bytes a face.
 class FaceClusters {
  public:
-    static constexpr std::uint32_t kFaces = 64;
+    static constexpr std::uint32_t kFaces = 32;
 
     enum class Facing : std::uint8_t { back, front, mixed };
 
@@ -48,6 +48,9 @@ class FaceClusters {
         return {links_.data() + first_link_[cluster], links_.data() + first_link_[cluster + 1]};
     }
     std::span<const std::uint32_t> edges() const { return edges_; }
+    /// For each of them its face in the cluster and its face in the link's other cluster, counted from their first: small
+    /// enough to stream through, where the edge table would have to be looked up here and there.
+    std::span<const std::array<std::uint8_t, 2>> edge_faces() const { return edge_faces_; }
     /// Edges at faces turned over: to be looked at one by one.
     std::span<const std::uint32_t> loose_edges() const { return loose_edges_; }
 
@@ -60,6 +63,7 @@ class FaceClusters {
     double scale_ = 1.0;
     std::array<std::vector<float>, 8> bounds_;  // ball x y z r, cone x y z sine; relative to centre_ and scale_
     std::vector<std::uint32_t> edges_;
+    std::vector<std::array<std::uint8_t, 2>> edge_faces_;
     std::vector<Link> links_;
     std::vector<std::uint32_t> first_link_;
     std::vector<std::uint32_t> loose_edges_;

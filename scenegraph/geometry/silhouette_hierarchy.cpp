@@ -1,6 +1,8 @@
-// Only clusters through which the contour may pass are opened. Edges between a cluster that looks at the viewer as a whole
+// Only clusters that the cones leave open have their faces looked at, and only where those then differ are edges looked
+// at: edges cost more than faces, which are decided eight at a time. Edges between a cluster that looks at the viewer as a whole
 // and one that looks away need the bytes of their faces too; those are then filled in from the cluster.
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "geometry/silhouette_stages.hpp"
@@ -36,7 +38,7 @@ class ClusterSearch {
                 if (own == other && own != Facing::mixed) continue;
                 fill(cluster);
                 fill(link.other);
-                test(clusters_.edges().subspan(link.begin, link.end - link.begin));
+                test(cluster, link);
             }
         }
         test_loose_edges();
@@ -47,18 +49,38 @@ class ClusterSearch {
     void open_mixed_clusters()
     {
         const FacingFilter::Query query = surface_.filter.query(search_.viewpoint);
-        for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
-            if (scratch_.clusters[cluster] != Facing::mixed) continue;
-            const std::uint32_t first = cluster * kBlocks;
-            const std::uint32_t blocks = std::min(kBlocks, surface_.filter.block_count() - first);
-            decide_blocks(surface_, search_.viewpoint, query, first, blocks, scratch_);
-            scratch_.filled[cluster] = 1;
-            scratch_.counters.faces_tested += std::uint64_t{blocks} * FacingFilter::kBlock;
+        for (std::uint32_t first = 0; first < clusters_.count();) {
+            if (scratch_.clusters[first] != Facing::mixed) {
+                ++first;
+                continue;
+            }
+            std::uint32_t end = first + 1;
+            while (end < clusters_.count() && scratch_.clusters[end] == Facing::mixed) ++end;
+            const std::uint32_t end_block = std::min(end * kBlocks, surface_.filter.block_count());
+            decide_blocks(surface_, search_.viewpoint, query, first * kBlocks, end_block - first * kBlocks, scratch_);
+            std::fill(scratch_.filled.begin() + first, scratch_.filled.begin() + end, std::uint8_t{1});
+            scratch_.counters.faces_tested += std::uint64_t{end - first} * FaceClusters::kFaces;
+            first = end;
         }
         // A cluster with a collinear face is never uniform, so that its bytes are there.
         for (const auto& entry : surface_.filter.inherited) {
             scratch_.facing[entry.face] = entry.source != kNoFace && is_front(entry.source);
         }
+        for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
+            if (scratch_.clusters[cluster] == Facing::mixed) scratch_.clusters[cluster] = looked_at(cluster);
+        }
+    }
+
+    /// What the faces of an opened cluster turned out to be. The last cluster may hold padding and stays mixed.
+    Facing looked_at(std::uint32_t cluster) const
+    {
+        if (cluster + 1 == clusters_.count()) return Facing::mixed;
+        constexpr std::uint64_t kAllFront = 0x0101010101010101;
+        std::array<std::uint64_t, FaceClusters::kFaces / 8> bytes;
+        std::memcpy(bytes.data(), scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces, sizeof(bytes));
+        const bool is_uniform = std::all_of(bytes.begin(), bytes.end(), [&](auto eight) { return eight == bytes[0]; });
+        if (!is_uniform || (bytes[0] != 0 && bytes[0] != kAllFront)) return Facing::mixed;
+        return bytes[0] == 0 ? Facing::back : Facing::front;
     }
 
     bool is_front(std::uint32_t face) const
@@ -86,14 +108,15 @@ class ClusterSearch {
         if (is_wanted(edge)) scratch_.edges[count_++] = edge;
     }
 
-    void test(std::span<const std::uint32_t> edges)
+    void test(std::uint32_t cluster, const FaceClusters::Link& link)
     {
-        const std::uint8_t* const facing = scratch_.facing.data();
-        for (const std::uint32_t edge : edges) {
-            const auto [a, b] = surface_.edges.faces[edge];
-            if (facing[a] != facing[b]) keep(edge);
+        const std::uint8_t* const own = scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces;
+        const std::uint8_t* const other = scratch_.facing.data() + std::size_t{link.other} * FaceClusters::kFaces;
+        const auto faces = clusters_.edge_faces();
+        for (std::uint32_t i = link.begin; i < link.end; ++i) {
+            if (own[faces[i][0]] != other[faces[i][1]]) keep(clusters_.edges()[i]);
         }
-        scratch_.counters.edges_tested += edges.size();
+        scratch_.counters.edges_tested += link.end - link.begin;
     }
 
     void test_loose_edges()
