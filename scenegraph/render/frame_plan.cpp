@@ -12,6 +12,7 @@ DrawItem make_item(const SceneInput& input, const VisibleObject& object, std::ui
     item.mesh = &input.scene->meshes[facts.mesh];
     item.material = &input.scene->materials[facts.material];
     item.world_from_object = glm::mat4(input.scene->world_from_object(object.object));
+    item.bounds_world = facts.bounds_world;
     item.certainty = look.certainty;
     item.slot = slot;
     return item;
