@@ -93,6 +93,8 @@ TEST(gltf_malformed, views_and_accessors_stay_inside_of_their_bytes)
     EXPECT_EQ(error_of_change("/accessors/0/count", 4).pointer, "/accessors/0");
     EXPECT_EQ(error_of_change("/accessors/0/byteOffset", 4).pointer, "/accessors/0");
     EXPECT_EQ(error_of_change("/accessors/0/type", "VEC4").pointer, "/accessors/0");
+    EXPECT_EQ(error_of_change("/bufferViews/0/byteLength", 35).pointer, "/accessors/0") << "one byte short";
+    EXPECT_EQ(error_of_change("/bufferViews/1/byteLength", 5).pointer, "/accessors/1") << "one byte short";
 }
 
 TEST(gltf_malformed, huge_counts_are_refused_before_anything_is_allocated)
@@ -281,6 +283,7 @@ TEST(gltf_malformed, broken_containers_are_refused_with_their_byte)
     EXPECT_EQ(error_of_text("notaglTFfile", "a.glb").pointer, "byte 0");
     EXPECT_EQ(error_of_text(glb(ModelBuilder::word(4) + "BIN\0    "), "a.glb").pointer, "byte 12");
     EXPECT_EQ(error_of_text(glb(ModelBuilder::word(400) + "JSON    "), "a.glb").pointer, "byte 12");
+    EXPECT_EQ(error_of_text(glb(ModelBuilder::word(8) + "JSON    "), "a.glb").pointer, "byte 12");
     EXPECT_EQ(error_of_text(glb(ModelBuilder::word(3) + "JSON   "), "a.glb").pointer, "byte 12");
     const std::string chunk = ModelBuilder::word(4) + "JSON{}  ";
     EXPECT_EQ(error_of_text(glb(chunk + chunk), "a.glb").pointer, "byte 24");
