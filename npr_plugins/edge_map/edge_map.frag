@@ -3,7 +3,7 @@
 // Source: Nienhaus, Doellner. Edge-Enhancement. Journal of WSCG 11, 2003, section 4.1.2.
 // The C1 sum of the paper is 0 where there is no edge; it is stored as 1 - sum, so that 1 means no edge everywhere.
 
-uniform sampler2D normal_depth;  // xyz normal in view space, w linear depth in metres, 0 where nothing was drawn
+uniform sampler2D normal_depth;  // xyz unit normal, w depth along the view in metres, 0 where nothing was drawn
 uniform float depth_scale;
 uniform float width_px;
 
