@@ -6,8 +6,12 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/log.hpp"
 #include "io/gltf_import.hpp"
 #include "io/level_file.hpp"
+#include "io/lightmap_file.hpp"
+#include "walk/level_light.hpp"
+#include "world/light_bake.hpp"
 
 namespace hw {
 namespace {
@@ -50,6 +54,20 @@ double luminance_weight(const glm::vec3& colour)
     return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
 }
 
+void add_baked_light(const Level& level, LevelWorld& world)
+{
+    world.lightmap = find_lightmap(level.file, world.scene);
+    if (!world.lightmap) return;
+    if (world.lightmap->key != lightmap_key(world.scene, light_sources_of(level, world.scene))) {
+        log_warning(lightmap_path(level.file).string() +
+                    " was baked for another state of the level: shown without; `hatchway bake` makes it anew");
+        world.lightmap.reset();
+        return;
+    }
+    for (std::size_t i = 0; i < world.scene.meshes.size(); ++i)
+        add_lightmap_stream(world.scene.meshes[i], world.lightmap->layouts[i]);
+}
+
 }  // namespace
 
 Level read_level_with(const std::filesystem::path& file, const std::vector<std::string>& style_overrides)
@@ -60,12 +78,14 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
     return level;
 }
 
-std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility)
+std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
+                                             BakedLight baked_light)
 {
     auto world = std::make_shared<LevelWorld>();
     world->scene = import_gltf(level.scene_file, level.project_root);
     world->chunks.reserve(world->scene.meshes.size());
     for (MeshData& mesh : world->scene.meshes) world->chunks.push_back(split_into_chunks(mesh));
+    if (baked_light == BakedLight::if_there) add_baked_light(level, *world);
     if (visibility)
         world->visibility =
             std::make_unique<Visibility>(build_visibility(world->scene, level, world->chunks, *visibility));

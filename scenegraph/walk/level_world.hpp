@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/mesh_chunks.hpp"
 #include "world/level.hpp"
+#include "world/lightmap.hpp"
 #include "world/visibility.hpp"
 
 namespace hw {
@@ -15,6 +17,7 @@ namespace hw {
 struct LevelWorld {
     Scene scene;
     std::vector<MeshChunks> chunks;          ///< One for each mesh of the scene.
+    std::optional<Lightmap> lightmap;        ///< The level's baked light, its stream added to the meshes.
     std::unique_ptr<Visibility> visibility;  ///< Null when it was not wanted.
 };
 
@@ -25,9 +28,13 @@ inline constexpr const char* kFallbackStyle = "photoreal";
 /// Throws hw::Error for an override that is not of that form, and whatever read_level() throws.
 Level read_level_with(const std::filesystem::path& file, const std::vector<std::string>& style_overrides);
 
-/// Imports the level's model and cuts its meshes into chunks; makes the visibility too when `visibility` is given.
-/// The renderer points into the result, so it never moves.
-std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility);
+enum class BakedLight : unsigned char { unwanted, if_there };
+
+/// Imports the level's model and cuts its meshes into chunks; makes the visibility too when `visibility` is given, and
+/// takes the lightmap beside the level when it is wanted. One that was baked for another state of the level is left out,
+/// with a warning. The renderer points into the result, so it never moves.
+std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
+                                             BakedLight baked_light = BakedLight::unwanted);
 
 /// Whether the model and its visibility stay as they are when `before` becomes `after`.
 bool same_world(const Level& before, const Level& after);

@@ -38,7 +38,7 @@ Stage::Stage(Context& context, StageOptions options)
     // Styles first: a wrong name in the level shows at once, not after the model has been loaded.
     Level level = read_level_with(options_.file, options_.style_overrides);
     styles_.set_level(level);
-    auto world = open_world(level, options_.has_visibility ? &options_.visibility : nullptr);
+    auto world = open_world(level, options_.has_visibility ? &options_.visibility : nullptr, options_.baked_light);
     shown_ = with_looks(std::move(level), std::move(world), {});
     load();
     watch_files();
@@ -79,12 +79,16 @@ std::map<std::string, int> Stage::named_maps()
     return named;
 }
 
-void Stage::show(Shown next)
+void Stage::show(Shown next, bool has_new_looks_only)
 {
     // The renderer points into what it shows until the next load(): both live until that succeeded.
     std::swap(shown_, next);
     try {
-        load();
+        // Maps that a style brings on its first use reach the renderer by load() alone.
+        if (has_new_looks_only && named_maps() == named_maps_ && maps_.maps().size() == loaded_map_count_)
+            renderer_.set_looks(styles_.styles(), shown_.objects);
+        else
+            load();
     } catch (...) {
         std::swap(shown_, next);
         load();
@@ -101,8 +105,10 @@ void Stage::load()
     input.objects = shown_.objects;
     input.visibility = world.visibility.get();
     input.chunks = world.chunks;
-    input.named_maps = named_maps();
+    input.lightmap = world.lightmap ? &*world.lightmap : nullptr;
+    input.named_maps = named_maps_ = named_maps();
     input.maps = maps_.maps();
+    loaded_map_count_ = input.maps.size();
     input.lights = lights_of(shown_.level, world.scene);
     input.exposure_ev = static_cast<float>(exposure_ev_of(shown_.level, world.scene, input.lights));
     if (shown_.level.background) input.background_srgb = *shown_.level.background;
@@ -112,7 +118,7 @@ void Stage::load()
 
 void Stage::set_extra_rules(std::vector<AssignRule> rules)
 {
-    show(with_looks(shown_.level, shown_.world, rules));
+    show(with_looks(shown_.level, shown_.world, rules), true);
     extra_rules_ = std::move(rules);
 }
 
@@ -154,9 +160,9 @@ Reload Stage::reload_level(bool is_model_changed)
         Level level = read_level_with(options_.file, options_.style_overrides);
         styles_.set_level(level);
         const bool is_new_world = is_model_changed || !same_world(shown_.level, level);
-        auto world = is_new_world ? open_world(level, options_.has_visibility ? &options_.visibility : nullptr)
-                                  : shown_.world;
-        show(with_looks(std::move(level), std::move(world), extra_rules_));
+        const VisibilityOptions* visibility = options_.has_visibility ? &options_.visibility : nullptr;
+        auto world = is_new_world ? open_world(level, visibility, options_.baked_light) : shown_.world;
+        show(with_looks(std::move(level), std::move(world), extra_rules_), false);
         return is_new_world ? Reload::world : Reload::looks;
     } catch (const Error& error) {
         problems.emplace_back(error.what());

@@ -22,6 +22,7 @@ struct StageOptions {
     std::vector<std::filesystem::path> plugin_dirs;  ///< Searched beside the installation.
     bool has_visibility = true;                      ///< Without, everything in the frustum is drawn.
     VisibilityOptions visibility;
+    BakedLight baked_light = BakedLight::if_there;
 };
 
 /// What a reload changed.
@@ -72,7 +73,7 @@ class Stage {
     Shown with_looks(Level level, std::shared_ptr<const LevelWorld> world,
                      const std::vector<AssignRule>& extra_rules);
     std::map<std::string, int> named_maps();
-    void show(Shown next);
+    void show(Shown next, bool has_new_looks_only);
     void load();
     void watch_files();
     std::vector<std::filesystem::path> shader_folders() const;
@@ -86,6 +87,8 @@ class Stage {
     StyleSet styles_;
     MapStore maps_;
     Shown shown_;
+    std::map<std::string, int> named_maps_;  ///< What load() gave to the renderer.
+    std::size_t loaded_map_count_ = 0;
     std::vector<AssignRule> extra_rules_;
     FileWatch watch_;
     std::map<Part, std::vector<std::string>> problems_;

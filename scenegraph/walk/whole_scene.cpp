@@ -1,6 +1,7 @@
 // The nearest place on a line of sight is a linear programme with a closed form. With x to the right, z ahead and t the
 // slope of the picture's side, a point is inside when |x - cx| <= t (z - cz). The two sides give cx - t cz >= max(x - t z)
-// and -cx - t cz >= max(-x - t z): their sum bounds cz, their difference is cx. The same holds for y.
+// and -cx - t cz >= max(-x - t z): their sum bounds cz, their difference is cx. The same holds for y. The direction that does
+// not bound cz has air to share, which a few steps then share evenly.
 #include "walk/whole_scene.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kFovDeg = 40.0;
 constexpr double kMargin = 1.06;             // air around the scene
 constexpr std::uint64_t kMaxVertices = 4'000'000;  // past that, boxes of objects are near enough
+constexpr int kCentringSteps = 8;
 constexpr double kTurnSeconds = 10.0;
 constexpr int kTurnKeys = 24;                // a Catmull-Rom curve through 24 places leaves the circle by under a hundredth %
 const glm::dvec3 kForward = -glm::normalize(glm::dvec3(0.5, 0.35, 0.8));
@@ -36,6 +38,9 @@ class Fit {
         const std::array<double, 4> reach{-x - slope_x_ * z, x - slope_x_ * z, -y - slope_y_ * z, y - slope_y_ * z};
         for (std::size_t i = 0; i < reach.size(); ++i) reach_[i] = std::max(reach_[i], reach[i]);
     }
+
+    const glm::dvec3& right() const { return right_; }
+    const glm::dvec3& up() const { return up_; }
 
     glm::dvec3 eye() const
     {
@@ -66,17 +71,40 @@ std::uint64_t vertex_count(const Scene& scene)
     return count;
 }
 
-void add_scene(const Scene& scene, Fit& fit)
+template <typename Use>
+void for_each_point(const Scene& scene, Use&& use)
 {
     const bool has_vertices = vertex_count(scene) <= kMaxVertices;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const Object& object = scene.objects[id];
         if (has_vertices)
             for (const glm::vec3& position : scene.meshes[object.mesh].positions)
-                fit.add(glm::dvec3(scene.world_from_object(id) * glm::dvec4(glm::dvec3(position), 1.0)));
+                use(glm::dvec3(scene.world_from_object(id) * glm::dvec4(glm::dvec3(position), 1.0)));
         else
-            for (int i = 0; i < 8; ++i) fit.add(corner(object.bounds_world, i));
+            for (int i = 0; i < 8; ++i) use(corner(object.bounds_world, i));
     }
+}
+
+/// Moves the eye sideways until the scene reaches as far to the left as to the right, and as far up as down.
+glm::dvec3 centred(const Scene& scene, const Fit& fit)
+{
+    glm::dvec3 eye = fit.eye();
+    const double depth = glm::dot(scene.bounds_world.centre() - eye, kForward);
+    for (int step = 0; step < kCentringSteps; ++step) {
+        glm::dvec2 min(std::numeric_limits<double>::infinity());
+        glm::dvec2 max(-min);
+        for_each_point(scene, [&](const glm::dvec3& point) {
+            const glm::dvec3 arm = point - eye;
+            const glm::dvec2 at = glm::dvec2(glm::dot(arm, fit.right()), glm::dot(arm, fit.up())) / glm::dot(arm, kForward);
+            min = glm::min(min, at);
+            max = glm::max(max, at);
+        });
+        // Half a step at a time: the outermost points are nearer or farther than the middle.
+        const glm::dvec2 shift = 0.25 * depth * (min + max);
+        if (!std::isfinite(shift.x) || !std::isfinite(shift.y)) return fit.eye();
+        eye += shift.x * fit.right() + shift.y * fit.up();
+    }
+    return eye;
 }
 
 /// Looks from `eye` along the line of sight, at the depth of the scene's middle. A scene of one point is seen from a metre.
@@ -94,8 +122,8 @@ CameraPlace whole_scene_camera(const Scene& scene, double aspect)
 {
     if (scene.bounds_world.is_empty()) return {-kForward, glm::dvec3(0.0), kFovDeg};
     Fit fit(aspect);
-    add_scene(scene, fit);
-    return looking(fit.eye(), scene.bounds_world);
+    for_each_point(scene, [&](const glm::dvec3& point) { fit.add(point); });
+    return looking(centred(scene, fit), scene.bounds_world);
 }
 
 CameraPath turntable(const Scene& scene, double aspect)
