@@ -18,6 +18,7 @@ void add_silhouettes_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_map_command(CLI::App& app);
+void add_pvs_command(CLI::App& app);
 void add_new_style_command(CLI::App& app);
 void add_schema_command(CLI::App& app);
 

@@ -35,6 +35,7 @@ void add_commands(CLI::App& app)
     hw::add_measure_command(app);
     hw::add_report_command(app);
     hw::add_map_command(app);
+    hw::add_pvs_command(app);
     hw::add_new_style_command(app);
     hw::add_schema_command(app);
 }

@@ -9,8 +9,10 @@ namespace hw {
 // Each measurement is a file measure_NAME.cpp of this folder with one function add_measure_NAME(), which gives the
 // command `hatchway measure NAME`. A measurement prints time and error against an independent reference, from one run.
 
+void add_measure_bsp(CLI::App& measure);
 void add_measure_frame(CLI::App& measure);
 void add_measure_lightmap(CLI::App& measure);
+void add_measure_pvs(CLI::App& measure);
 void add_measure_silhouettes(CLI::App& measure);
 
 }  // namespace hw

@@ -1,0 +1,99 @@
+// What the potentially visible set costs at each effort, how much more it shows than sampled rays see, and what it hides
+// that a ray sees: that must be nothing.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "hatchway/arguments.hpp"
+#include "io/gltf_import.hpp"
+#include "io/json_out.hpp"
+#include "io/level_file.hpp"
+#include "measure/measures.hpp"
+#include "measure/pvs_measure.hpp"
+
+namespace hw {
+namespace {
+
+struct PvsMeasureArguments {
+    std::vector<std::filesystem::path> files;
+    std::uint64_t rays = 10'000'000;
+    std::vector<std::string> efforts{"fast", "full"};
+    int threads = 0;
+    std::filesystem::path json;
+};
+
+PvsEffort effort_named(const std::string& name)
+{
+    return name == "fast" ? PvsEffort::fast : name == "full" ? PvsEffort::full : PvsEffort::exact;
+}
+
+std::uint64_t bytes_of(const Visibility& visibility)
+{
+    const auto bytes = [](const LeafRows& rows) {
+        return rows.leaf_count() == 0 ? 0 : static_cast<std::uint64_t>(rows.leaf_count()) * rows.row(0).size_bytes();
+    };
+    return bytes(visibility.rows) + bytes(visibility.slot_rows);
+}
+
+JsonValue row_json(const std::string& file, const std::string& effort, const Visibility& visibility,
+                   const measure::PvsRayResult& rays)
+{
+    const VisibilityStats& stats = visibility.stats;
+    JsonValue row = JsonValue::object();
+    row.set("file", file).set("effort", effort).set("seconds", stats.seconds);
+    row.set("leaves", stats.leaves).set("clusters", stats.clusters).set("portals", stats.portals);
+    row.set("coarse_portals", stats.coarse_portals).set("average_visible_share", stats.average_visible_share);
+    row.set("rays", rays.rays).set("hits", rays.hits).set("claims", rays.claims);
+    row.set("false_invisibles", rays.false_invisibles);
+    row.set("sampled_clusters", rays.clusters).set("row_share", rays.row_share).set("sampled_share", rays.sampled_share);
+    row.set("over_estimate", rays.sampled_share > 0.0 ? rays.row_share / rays.sampled_share : 1.0);
+    row.set("bytes", bytes_of(visibility));
+    return row;
+}
+
+void measure_file(const std::filesystem::path& file, const PvsMeasureArguments& arguments, JsonValue& rows)
+{
+    const Level level = read_level(file);
+    Scene scene = import_gltf(level.scene_file, level.project_root);
+    std::vector<MeshChunks> chunks;
+    for (MeshData& mesh : scene.meshes) chunks.push_back(split_into_chunks(mesh));
+    for (const std::string& effort : arguments.efforts) {
+        VisibilityOptions options;
+        options.effort = effort_named(effort);
+        options.threads = arguments.threads;
+        const Visibility visibility = build_visibility(scene, level, chunks, options);
+        const auto rays = measure::measure_pvs(scene, chunks, visibility, {.rays = arguments.rays});
+        rows.push(row_json(file.filename().string(), effort, visibility, rays));
+    }
+}
+
+void measure_pvs_command(const PvsMeasureArguments& arguments)
+{
+    require_writable(arguments.json, "--json");
+    JsonValue rows = JsonValue::array();
+    for (const std::filesystem::path& file : arguments.files) measure_file(file, arguments, rows);
+    JsonValue json = JsonValue::object();
+    json.set("measure", "pvs").set("rows", std::move(rows));
+    if (!arguments.json.empty()) write_json(arguments.json, json);
+    std::cout << json.text();
+}
+
+}  // namespace
+
+void add_measure_pvs(CLI::App& measure)
+{
+    auto arguments = std::make_shared<PvsMeasureArguments>();
+    CLI::App* command =
+        measure.add_subcommand("pvs", "Seconds, over-estimate and false invisibles of the potentially visible set");
+    command->add_option("files", arguments->files, "Levels or models")->required();
+    command->add_option("--rays", arguments->rays, "Rays for each effort");
+    command->add_option("--pvs", arguments->efforts, "Efforts to measure")
+        ->check(CLI::IsMember({"fast", "full", "exact"}))
+        ->delimiter(',');
+    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(CLI::Range(0, 1024));
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { measure_pvs_command(*arguments); });
+}
+
+}  // namespace hw
