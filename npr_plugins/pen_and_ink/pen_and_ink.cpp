@@ -41,6 +41,8 @@ class PenAndInk final : public hw::Style {
         visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the paper's colour."}, uncertain_);
         visitor.map({"hatch", "Hatch map of tone plain, where the level assigns none.", hw::ParamChange::rebuild}, hatch_,
                     hw::MapKind::hatch);
+        visitor.map({"tonal", "Tonal map that hatches by light in place of strokes that are reckoned.", hw::ParamChange::rebuild},
+                    tonal_, hw::MapKind::tonal);
         visitor.map({"ink", "Ink map: drawn detail such as courses of stone.", hw::ParamChange::rebuild}, ink_map_,
                     hw::MapKind::ink);
         visitor.real({"ink_map_strength", "Of the ink map; 0 hides it."}, ink_map_strength_, 0.0f, 1.0f);
@@ -56,6 +58,7 @@ class PenAndInk final : public hw::Style {
         needs.shadow = tone_ == kShaded || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
         needs.lightmap = needs.shadow != hw::ShadowNeed::none;
         if (tone_ == kPlain && !hatch_.value.empty()) needs.maps[hw::MapKind::hatch] = hatch_;
+        if (tone_ == kShaded && !tonal_.value.empty()) needs.maps[hw::MapKind::tonal] = tonal_;
         if (!ink_map_.value.empty()) needs.maps[hw::MapKind::ink] = ink_map_;
         return needs;
     }
@@ -117,7 +120,7 @@ class PenAndInk final : public hw::Style {
     float darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f, material_tone_ = 0.15f, shade_ = 0.0f;
     glm::vec3 paper_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f}, uncertain_{1.0f};
     float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f, ink_map_detail_ = 0.9f;
-    hw::MapName hatch_{"fine"}, ink_map_;
+    hw::MapName hatch_{"fine"}, tonal_, ink_map_;
     hw::Program program_;
 };
 

@@ -166,3 +166,21 @@ float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float 
     float edge = mix(0.5 / clamp(texel_px, 1.0, 4.0), 0.5, clamp(level - info.w + 5.0, 0.0, 1.0));
     return (1.0 - 0.5 * grown) * clamp((ink - 0.5 - 0.35 * grown) / (2.0 * edge) + 0.5, 0.0, 1.0);
 }
+
+// Ink of a tonal map at `uv` metres, right and up, for the ink coverage `tone`: the two tones beside it and the two levels
+// nearest to the screen's scale are blended. `info`: hw_tonal_info. Darker tones hold all strokes of lighter ones, finer
+// levels those of coarser ones, so that blending only adds strokes.
+float hw_tonal_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float tone)
+{
+    float width = info.z / info.y;  // texels of one tone
+    float texels = sqrt(max(dot(dx, dx), dot(dy, dy))) * info.x * width * hw_px_scale;
+    float level = clamp(log2(clamp(texels, 1e-12, 1e12)), 0.0, info.w - 1.0);
+    float inset = min(0.5 * exp2(ceil(level)) / width, 0.5);  // half a texel: neighbouring tones stay out of the filter
+    vec2 at = clamp(fract(uv * info.x * vec2(1.0, -1.0)), inset, 1.0 - inset);
+    float index = clamp(tone, 0.0, 1.0) * info.y - 1.0;
+    float lighter = floor(index);
+    float darker = min(lighter + 1.0, info.y - 1.0);
+    float dark_ink = hw_map_ink(map, vec2((darker + at.x) / info.y, at.y), level);
+    float light_ink = hw_map_ink(map, vec2((max(lighter, 0.0) + at.x) / info.y, at.y), level);
+    return mix(lighter < 0.0 ? 0.0 : light_ink, dark_ink, index - lighter);
+}

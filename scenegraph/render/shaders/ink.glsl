@@ -33,7 +33,13 @@ float hw_ink_of_light(float light)
 
 float hw_hatching(HwSurface surface, float light)
 {
-#ifdef TONE_SHADED
+#if defined(TONE_SHADED) && defined(HW_TONAL_MAP)
+    vec2 right = hatch_directions.xy;
+    mat2 turn = mat2(right.x, -right.y, right.y, right.x);
+    return hw_tonal_map_ink(hw_tonal_map, hw_tonal_info, turn * (surface.hatch_uv * kHwUp),
+                            turn * (surface.hatch_uv_dx * kHwUp), turn * (surface.hatch_uv_dy * kHwUp),
+                            hw_ink_of_light(light));
+#elif defined(TONE_SHADED)
     HwHand hand = HwHand(hatch_size_px.z, 5.0, hatch_size_px.w, 0.18);
     HwHatching hatching = HwHatching(hatch_size_px.x, hatch_size_px.y, hatch_directions.xy, hatch_directions.zw, hand);
     return hw_tonal_hatching(surface, hatching, hw_ink_of_light(light));
