@@ -30,6 +30,8 @@ DeviceInfo ask_device()
     info.vendor = gl_string(GL_VENDOR);
     info.renderer = gl_string(GL_RENDERER);
     info.version = gl_string(GL_VERSION);
+    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader"})
+        info.is_software |= info.renderer.find(name) != std::string::npos;
     info.is_es = !epoxy_is_desktop_gl();
     if (epoxy_gl_version() < (info.is_es ? 30 : 33))
         throw Error({.what = "this device offers " + info.version,

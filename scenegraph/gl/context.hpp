@@ -12,6 +12,7 @@ struct DeviceInfo {
     std::string vendor;
     std::string renderer;
     std::string version;
+    bool is_software = false;        ///< A software renderer: what a GPU does for nothing costs time there.
     bool is_es = false;              ///< OpenGL ES 3; else desktop OpenGL 3.3 core or later.
     float max_line_width_px = 1.0f;  ///< Widest aliased line that may be drawn.
     float max_point_size_px = 1.0f;

@@ -26,11 +26,24 @@ GLint wrap_constant(WrapMode wrap)
     return GL_CLAMP_TO_EDGE;
 }
 
+GLint minifying_constant(FilterMode filter)
+{
+    switch (filter) {
+        case FilterMode::nearest:
+            return GL_NEAREST;
+        case FilterMode::linear:
+            return GL_LINEAR;
+        case FilterMode::linear_in_level:
+            return GL_LINEAR_MIPMAP_NEAREST;
+        case FilterMode::trilinear:
+            break;
+    }
+    return GL_LINEAR_MIPMAP_LINEAR;
+}
+
 void set_sampling(const TextureDesc& desc)
 {
-    const GLint minified = desc.filter == FilterMode::nearest  ? GL_NEAREST
-                           : desc.filter == FilterMode::linear ? GL_LINEAR
-                                                               : GL_LINEAR_MIPMAP_LINEAR;
+    const GLint minified = minifying_constant(desc.filter);
     const bool nearest = desc.is_magnified_nearest || desc.filter == FilterMode::nearest;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minified);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);

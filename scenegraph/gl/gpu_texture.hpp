@@ -20,7 +20,12 @@ enum class TextureFormat : std::uint8_t {
 };
 
 enum class WrapMode : std::uint8_t { repeat, mirrored_repeat, clamp };
-enum class FilterMode : std::uint8_t { nearest, linear, trilinear };
+enum class FilterMode : std::uint8_t {
+    nearest,
+    linear,
+    linear_in_level,  ///< Of the nearest level: half the work of trilinear.
+    trilinear,
+};
 
 struct TextureDesc {
     TextureFormat format = TextureFormat::rgba8;

@@ -14,7 +14,7 @@ inline constexpr int kMaxLights = 8;  ///< As in shaders/frame.glsl.
 
 /// The light of a scene as shaders see it.
 struct SceneLight {
-    std::vector<Light> lights;  ///< At most kMaxLights.
+    std::vector<Light> lights;  ///< At most kMaxLights; suns first, the main light before all.
     int main_light = kNone;     ///< The strongest sun: the one that casts a shadow.
     float exposure_ev = 0.0f;
     glm::vec3 background_linear{1.0f};

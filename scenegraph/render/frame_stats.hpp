@@ -27,6 +27,7 @@ struct FrameStats {
     int adjacencies_built = 0;
     int hatch_streams_built = 0;
     int shadow_maps_drawn = 0;
+    int lightmaps_uploaded = 0;
     int programs_compiled = 0;
     // Milliseconds of this frame. With FrameOptions::is_timed the device is waited for after each phase.
     double visibility_ms = 0.0;

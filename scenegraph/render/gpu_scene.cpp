@@ -95,6 +95,7 @@ GpuMesh upload_mesh(const MeshData& mesh)
     add_optional(mesh.uv0, VertexInput::uv0, f::kUv0);
     add_optional(mesh.uv1, VertexInput::uv1, f::kUv1);
     add_optional(mesh.colours, VertexInput::colour, f::kColours);
+    if (!mesh.lightmap_uv.empty()) vertices.add(VertexInput::lightmap_uv, &mesh.lightmap_uv[0].x, 2);
     gpu.vertices = GpuBuffer(vertices.floats());
     gpu.indices = GpuBuffer(mesh.indices);
     gpu.array = GpuVertexArray(vertices.streams(gpu.vertices), &gpu.indices);
@@ -146,8 +147,8 @@ GpuMap upload_map(const MapLevels& map)
 
 }  // namespace
 
-GpuScene::GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps)
-    : scene_(scene), maps_(maps), gpu_maps_(maps.size())
+GpuScene::GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps, FilterMode texture_filter)
+    : scene_(scene), texture_filter_(texture_filter), maps_(maps), gpu_maps_(maps.size())
 {
     for (const MeshData& mesh : scene.meshes) meshes_.push_back(mesh.positions.empty() ? GpuMesh() : upload_mesh(mesh));
     for (const Material& material : scene.materials) materials_.push_back(upload(material));
@@ -166,7 +167,7 @@ std::uint32_t GpuScene::texture(const TextureUse& use, bool is_srgb)
                                     .levels = 0,
                                     .wrap_u = wrap_mode(texture.wrap_u),
                                     .wrap_v = wrap_mode(texture.wrap_v),
-                                    .filter = FilterMode::trilinear,
+                                    .filter = texture_filter_,
                                     .is_magnified_nearest = texture.is_nearest});
         const std::vector<std::uint8_t> rgba = as_rgba(image);
         place->second.upload(0, std::as_bytes(std::span(rgba)));

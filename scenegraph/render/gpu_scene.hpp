@@ -45,7 +45,8 @@ struct GpuMap {
 /// What the device holds of a scene. Meshes are uploaded at once, maps when named, textures with their materials.
 class GpuScene {
  public:
-    GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps);
+    /// `texture_filter` is that of materials' textures.
+    GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps, FilterMode texture_filter);
 
     const GpuMesh& mesh(int index) const { return meshes_[index]; }
     const GpuMaterial& material(int index) const { return materials_[index]; }
@@ -60,6 +61,7 @@ class GpuScene {
     GpuMaterial upload(const Material& material);
 
     const Scene& scene_;
+    FilterMode texture_filter_;
     std::vector<const MapLevels*> maps_;
     std::vector<GpuMesh> meshes_;
     std::vector<GpuMaterial> materials_;

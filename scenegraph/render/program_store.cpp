@@ -21,7 +21,7 @@ SurfaceLocations locations_of(const GpuProgram& program)
             .relative_from_object = at("hw_relative_from_object"),
             .normal_from_object = at("hw_normal_from_object"),
             .certainty = at("hw_certainty"),
-            .facing = at("hw_facing"),
+            .handedness = at("hw_handedness"),
             .hatch_scale = at("hw_hatch_scale"),
             .base_colour_factor = at("hw_base_colour_factor"),
             .material_factors = at("hw_material_factors"),
@@ -44,7 +44,9 @@ SurfaceLocations locations_of(const GpuProgram& program)
             .unit_hatch = unit("hw_hatch_map"),
             .unit_ink = unit("hw_ink_map"),
             .unit_tonal = unit("hw_tonal_map"),
-            .unit_shadow = unit("hw_shadow_map")};
+            .unit_shadow = unit("hw_shadow_map"),
+            .unit_lightmap = unit("hw_lightmap"),
+            .lightmap_place = at("hw_lightmap_place")};
 }
 
 /// surface.glsl holds one discard, that of the alpha mask.
@@ -60,7 +62,7 @@ bool has_own_discard(const ShaderText& fragment)
 std::string feature_defines(SurfaceFeatures features)
 {
     namespace f = surface_feature;
-    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 13> kFlags = {{
+    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 15> kFlags = {{
         {f::kUv0, "HW_HAS_UV0"},
         {f::kUv1, "HW_HAS_UV1"},
         {f::kTangents, "HW_HAS_TANGENTS"},
@@ -74,13 +76,16 @@ std::string feature_defines(SurfaceFeatures features)
         {f::kTonalMap, "HW_TONAL_MAP"},
         {f::kPresence, "HW_PRESENCE"},
         {f::kShadow, "HW_SHADOW"},
+        {f::kSpotLights, "HW_SPOT_LIGHTS"},
+        {f::kLightRanges, "HW_LIGHT_RANGES"},
     }};
-    static constexpr std::array<std::pair<int, const char*>, 5> kMaps = {{
+    static constexpr std::array<std::pair<int, const char*>, 6> kMaps = {{
         {f::kBaseColourMapBit, "HW_BASE_COLOUR_MAP"},
         {f::kMetallicRoughnessMapBit, "HW_METALLIC_ROUGHNESS_MAP"},
         {f::kNormalMapBit, "HW_NORMAL_MAP"},
         {f::kOcclusionMapBit, "HW_OCCLUSION_MAP"},
         {f::kEmissiveMapBit, "HW_EMISSIVE_MAP"},
+        {f::kLightmapBit, "HW_LIGHTMAP"},
     }};
     std::string text;
     for (const auto& [bit, name] : kFlags)
@@ -88,7 +93,8 @@ std::string feature_defines(SurfaceFeatures features)
     for (const auto& [shift, name] : kMaps)
         if (const auto set = (features >> shift) & 3; set != 0)
             text += std::string("#define ") + name + " " + std::to_string(set) + "\n";
-    return text + "#define HW_LIGHT_COUNT " + std::to_string((features >> f::kLightCountBit) & 15) + "\n";
+    text += "#define HW_LIGHT_COUNT " + std::to_string((features >> f::kLightCountBit) & 15) + "\n";
+    return text + "#define HW_SUN_COUNT " + std::to_string((features >> f::kSunCountBit) & 15) + "\n";
 }
 
 /// One fragment shader of one folder, and its compiled combinations. A null combination failed.

@@ -31,25 +31,31 @@ inline constexpr SurfaceFeatures kInkMap = 1u << 9;
 inline constexpr SurfaceFeatures kTonalMap = 1u << 10;
 inline constexpr SurfaceFeatures kPresence = 1u << 11;
 inline constexpr SurfaceFeatures kShadow = 1u << 12;
+inline constexpr SurfaceFeatures kSpotLights = 1u << 13;
+inline constexpr SurfaceFeatures kLightRanges = 1u << 14;
 /// Two bits each: 0 no map, 1 on uv0, 2 on uv1.
 inline constexpr int kBaseColourMapBit = 16;
 inline constexpr int kMetallicRoughnessMapBit = 18;
 inline constexpr int kNormalMapBit = 20;
 inline constexpr int kOcclusionMapBit = 22;
 inline constexpr int kEmissiveMapBit = 24;
-/// Four bits: the number of lights.
+/// Four bits each: how many lights, and how many of them are suns.
 inline constexpr int kLightCountBit = 26;
+inline constexpr int kSunCountBit = 30;
+/// Two bits: 0 no baked light, 1 in charts, 2 per vertex.
+inline constexpr int kLightmapBit = 34;
 }  // namespace surface_feature
 
 /// Where a surface program's uniforms stand; -1 where the program does not use one.
 struct SurfaceLocations {
     int clip_from_object, relative_from_object, normal_from_object;
-    int certainty, facing, hatch_scale, base_colour_factor, material_factors, emissive_normal;
+    int certainty, handedness, hatch_scale, base_colour_factor, material_factors, emissive_normal;
     int presence_height, presence_inverted;
     int base_colour_uv, metallic_roughness_uv, normal_uv, occlusion_uv, emissive_uv;
     int hatch_info, ink_info, tonal_info;
     int unit_base_colour, unit_metallic_roughness, unit_normal, unit_occlusion, unit_emissive;
-    int unit_hatch, unit_ink, unit_tonal, unit_shadow;
+    int unit_hatch, unit_ink, unit_tonal, unit_shadow, unit_lightmap;
+    int lightmap_place;
 };
 
 struct LinkedProgram {

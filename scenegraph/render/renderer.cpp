@@ -37,12 +37,28 @@ class PhaseClock {
     Clock::time_point last_;
 };
 
+/// What programs are compiled for in this scene.
+SurfaceFeatures light_features(const std::vector<Light>& lights)
+{
+    namespace f = surface_feature;
+    SurfaceFeatures features = static_cast<SurfaceFeatures>(lights.size()) << f::kLightCountBit;
+    for (const Light& light : lights) {
+        if (light.type == LightType::sun) features += SurfaceFeatures(1) << f::kSunCountBit;
+        if (light.type == LightType::spot) features |= f::kSpotLights;
+        if (light.type != LightType::sun && light.range_m > 0.0f) features |= f::kLightRanges;
+    }
+    return features;
+}
+
 }  // namespace
 
 /// Everything of one loaded scene.
 struct LoadedScene {
-    LoadedScene(SceneInput taken, LineIndices& line_indices)
-        : input(std::move(taken)), gpu(*input.scene, input.maps), edges(*input.scene, line_indices)
+    LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter)
+        : input(std::move(taken)),
+          gpu(*input.scene, input.maps, texture_filter),
+          lightmap(input.lightmap, *input.scene),
+          edges(*input.scene, line_indices)
     {
         light = choose_lights(input.lights, input.scene->bounds_world);
         light.exposure_ev = input.exposure_ev;
@@ -51,6 +67,7 @@ struct LoadedScene {
             mesh_bounds.emplace_back();
             for (const glm::vec3& position : mesh.positions) mesh_bounds.back().add(glm::dvec3(position));
         }
+        for (ObjectId id = 0; id < input.scene->objects.size(); ++id) is_all_baked &= lightmap.feature(id) != 0;
         std::uint32_t first = 0;
         for (const Object& object : input.scene->objects) {
             first_triangle.push_back(first);
@@ -60,9 +77,11 @@ struct LoadedScene {
 
     SceneInput input;
     GpuScene gpu;
+    GpuLightmap lightmap;
     EdgeStore edges;
     ShadowMap shadow;
     SceneLight light;
+    bool is_all_baked = true;                        ///< Every object has baked light.
     std::vector<Box> mesh_bounds;                    ///< Object space.
     std::vector<std::uint32_t> first_triangle;       ///< Of each object, in the numbering of triangle ids.
     std::vector<Needs> needs;                        ///< Of each style.
@@ -127,7 +146,9 @@ void Renderer::load(SceneInput input)
 {
     HW_ASSERT(input.scene != nullptr && input.objects.size() == input.scene->objects.size());
     HW_ASSERT(input.chunks.empty() || input.chunks.size() == input.scene->meshes.size());
-    state_->scene = std::make_unique<LoadedScene>(std::move(input), state_->line_indices);
+    const bool is_software = state_->context.device().is_software;
+    state_->scene = std::make_unique<LoadedScene>(std::move(input), state_->line_indices,
+                                                  is_software ? FilterMode::linear_in_level : FilterMode::trilinear);
     state_->learn_needs();
 }
 
@@ -194,15 +215,21 @@ void Renderer::State::size_targets(glm::ivec2 size_px, int samples)
 
 StylePass Renderer::State::pass_of(FrameParts& parts, int style_index, PassStage stage) const
 {
-    const bool has_shadow = scene->needs[style_index].shadow == ShadowNeed::main_light;
-    return {parts, stage, has_shadow, scene->style_maps[style_index]};
+    const Needs& needs = scene->needs[style_index];
+    const StyleLight light{needs.shadow == ShadowNeed::main_light, needs.lightmap && scene->lightmap.has_light()};
+    return {parts, stage, light, scene->style_maps[style_index]};
 }
 
 void Renderer::State::draw_products(const FramePlan& plan, const View& view)
 {
-    for (std::size_t i = 0; i < plan.styles.size(); ++i)
-        if (!plan.styles[i].is_empty() && scene->needs[i].shadow == ShadowNeed::main_light)
+    for (std::size_t i = 0; i < plan.styles.size(); ++i) {
+        if (plan.styles[i].is_empty()) continue;
+        const Needs& needs = scene->needs[i];
+        if (needs.lightmap) scene->lightmap.prepare();
+        const bool is_all_baked = needs.lightmap && scene->is_all_baked;
+        if (needs.shadow == ShadowNeed::main_light && !is_all_baked)
             scene->shadow.prepare(*scene->input.scene, scene->gpu, scene->light, programs, gpu);
+    }
     stream_frame_block(frame_block, view, scene->light, scene->shadow.frame());
 }
 
@@ -222,7 +249,7 @@ void Renderer::State::draw_images(const FramePlan& plan, FrameParts& parts, Fram
             parts.images[key] = draw_engine_image(key.pass, input, scene->gpu, programs, gpu, pool);
             continue;
         }
-        StylePass pass(parts, PassStage::images, false, no_maps);
+        StylePass pass(parts, PassStage::images, {}, no_maps);
         parts.images[key] = scene->image_passes.at(key)->make(pass);
         gpu.apply({});
     }
@@ -303,6 +330,7 @@ void Renderer::State::count(FrameStats& stats, const FrameParts& parts)
     stats.transient_targets = parts.transient_targets;
     stats.edge_tables_built = scene->edges.line_meshes_built();
     stats.adjacencies_built = scene->edges.surfaces_built();
+    stats.lightmaps_uploaded = scene->lightmap.uploaded_count();
     stats.shadow_maps_drawn = scene->shadow.drawn_count();
     stats.programs_compiled = programs.compiled_count();
 }
@@ -343,7 +371,8 @@ FrameStats Renderer::draw(const View& view, const FrameOptions& options)
     parts.edges = &scene.edges;
     parts.line_frame = {&view, options.samples, options.line_path};
     parts.no_vertices = &state.no_vertices;
-    parts.scene_features = static_cast<SurfaceFeatures>(scene.light.lights.size()) << surface_feature::kLightCountBit;
+    parts.scene_features = light_features(scene.light.lights);
+    parts.lightmap = &scene.lightmap;
     parts.shadow_texture = scene.shadow.texture();
     state.draw_images(plan, parts, stats);
     clock.end_phase(stats.images_ms);

@@ -18,6 +18,7 @@
 namespace hw {
 
 class Context;
+struct Lightmap;    // world/lightmap.hpp
 struct Visibility;  // world/visibility.hpp
 
 /// How one object is drawn. Indices point into SceneInput::styles and SceneInput::maps.
@@ -45,6 +46,7 @@ struct SceneInput {
     std::vector<StyledObject> objects;       ///< One for each of scene->objects.
     const Visibility* visibility = nullptr;  ///< Null: everything is visible.
     std::span<const MeshChunks> chunks;      ///< One for each mesh; empty: meshes are drawn whole.
+    const Lightmap* lightmap = nullptr;      ///< Baked light; its stream has been added to the scene's meshes.
     std::vector<const MapLevels*> maps;      ///< What StyledObject::maps points at.
     std::map<std::string, int> named_maps;   ///< Needs::maps: a map's name -> index into `maps`.
     std::vector<Light> lights;

@@ -48,8 +48,8 @@ PipelineState picture_state(PassStage stage)
 
 }  // namespace
 
-StylePass::StylePass(FrameParts& frame, PassStage stage, bool uses_shadow, const std::map<MapKind, int>& maps)
-    : frame_(frame), stage_(stage), uses_shadow_(uses_shadow), style_maps_(maps)
+StylePass::StylePass(FrameParts& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps)
+    : frame_(frame), stage_(stage), light_(light), style_maps_(maps)
 {
 }
 
@@ -124,19 +124,23 @@ void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::sp
         surface_items.push_back({&item, &object, choose_maps((*frame_.looks)[object.object].maps, style_maps_)});
     }
     PipelineState face_state = state;
-    if (state.writes_depth && state.depth_test == DepthTest::less && !frame_.programs->discards(program)) {
-        // Depth first, so that every pixel is shaded once. What a style cuts out by itself, depth cannot know.
+    // Depth first, so that every pixel is shaded once. What a style cuts out by itself, depth cannot know; and with
+    // several samples the software renderer shades what fails the depth test all the same.
+    const bool is_sampled = stage_ != PassStage::images && frame_.line_frame.samples > 1;
+    if (state.writes_depth && state.depth_test == DepthTest::less && !is_sampled &&
+        !frame_.programs->discards(program)) {
         frame_.surfaces->draw_depth(state, surface_items, frame_.visible->ranges);
         face_state.depth_test = DepthTest::equal;
         face_state.writes_depth = false;
     }
-    const bool has_shadow = uses_shadow_ && frame_.shadow_texture != 0;
+    const bool has_shadow = light_.uses_shadow && frame_.shadow_texture != 0;
     frame_.surfaces->draw({.program = program,
                            .uniforms = &uniforms,
                            .state = face_state,
                            .features = frame_.scene_features | (has_shadow ? surface_feature::kShadow : 0),
                            .time_s = frame_.view->time_s,
-                           .shadow_texture = has_shadow ? frame_.shadow_texture : 0},
+                           .shadow_texture = has_shadow ? frame_.shadow_texture : 0,
+                           .lightmap = light_.uses_lightmap ? frame_.lightmap : nullptr},
                           surface_items, frame_.visible->ranges);
 }
 

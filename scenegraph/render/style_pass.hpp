@@ -26,6 +26,7 @@ struct FrameParts {
     const GpuVertexArray* no_vertices = nullptr;
     SurfaceFeatures scene_features = 0;  ///< Number of lights.
     std::uint32_t shadow_texture = 0;
+    const GpuLightmap* lightmap = nullptr;
     std::map<ImageKey, Image> images;
     int transient_targets = 0;
 };
@@ -38,11 +39,17 @@ enum class PassStage : std::uint8_t {
     blended,  ///< Faces of glTF BLEND materials.
 };
 
+/// Which light of the frame a style reads.
+struct StyleLight {
+    bool uses_shadow = false;
+    bool uses_lightmap = false;
+};
+
 /// The host's side of Pass: one call of one style, or of one image pass.
 class StylePass final : public Pass {
  public:
     /// `maps` are those of the style's needs, for objects without maps of that kind; they must outlive the pass.
-    StylePass(FrameParts& frame, PassStage stage, bool uses_shadow, const std::map<MapKind, int>& maps);
+    StylePass(FrameParts& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps);
 
     const View& view() const override { return *frame_.view; }
     Image image(const ImageKey& key) const override;
@@ -59,7 +66,7 @@ class StylePass final : public Pass {
 
     FrameParts& frame_;
     PassStage stage_;
-    bool uses_shadow_;
+    StyleLight light_;
     const std::map<MapKind, int>& style_maps_;
 };
 

@@ -12,6 +12,15 @@ SurfaceFeatures map_features(const ItemMaps& maps)
            (maps.tonal == kNone ? 0 : f::kTonalMap);
 }
 
+/// Baked light holds its shadows.
+void add_lightmap_feature(const GpuLightmap& lightmap, ObjectId object, SurfaceFeatures& features)
+{
+    const SurfaceFeatures kind = lightmap.feature(object);
+    if (kind == 0) return;
+    features &= ~surface_feature::kShadow;
+    features |= kind << surface_feature::kLightmapBit;
+}
+
 }  // namespace
 
 SurfaceFeatures mask_features(const GpuMesh& mesh, const GpuMaterial& material)
@@ -60,6 +69,7 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
         const GpuMaterial& gpu_material = scene_.material_of(item.object->object);
         SurfaceFeatures features = run.features | mesh.features | gpu_material.features | map_features(item.maps);
         if (has_presence(*item.item)) features |= surface_feature::kPresence;
+        if (run.lightmap != nullptr) add_lightmap_feature(*run.lightmap, item.object->object, features);
         const LinkedProgram* program = programs_.surface(run.program, features);
         if (program == nullptr) return;
         state_.use(program->gpu);
@@ -76,6 +86,7 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
         if (&material != last_material) set_material(*program, *item.item, gpu_material);
         last_material = &material;
         set_maps(*program, item);
+        set_lightmap(*program, run.lightmap, item.object->object);
         draw_ranges(item, ranges);
     }
 }
@@ -118,7 +129,7 @@ void SurfaceDrawer::set_object(const LinkedProgram& program, const SurfaceItem& 
     GpuProgram::set(at.clip_from_object, item.object->clip_from_object);
     GpuProgram::set(at.relative_from_object, item.object->relative_from_object);
     GpuProgram::set(at.normal_from_object, item.object->normal_from_object);
-    GpuProgram::set(at.facing, item.object->facing);
+    GpuProgram::set(at.handedness, item.object->handedness);
     GpuProgram::set(at.certainty, item.item->certainty);
     set_presence(at.presence_height, at.presence_inverted, *item.item, time_s);
 }
@@ -142,6 +153,13 @@ void SurfaceDrawer::set_material(const LinkedProgram& program, const DrawItem& i
     map(at.unit_normal, gpu_material.normal, at.normal_uv, material.normal_texture);
     map(at.unit_occlusion, gpu_material.occlusion, at.occlusion_uv, material.occlusion_texture);
     map(at.unit_emissive, gpu_material.emissive, at.emissive_uv, material.emissive_texture);
+}
+
+void SurfaceDrawer::set_lightmap(const LinkedProgram& program, const GpuLightmap* lightmap, ObjectId object)
+{
+    if (program.at.unit_lightmap < 0 || lightmap == nullptr || lightmap->feature(object) == 0) return;
+    state_.bind_texture(program.at.unit_lightmap, lightmap->texture());
+    GpuProgram::set(program.at.lightmap_place, lightmap->place(object));
 }
 
 void SurfaceDrawer::set_maps(const LinkedProgram& program, const SurfaceItem& item)

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "gl/gpu_state.hpp"
+#include "render/gpu_lightmap.hpp"
 #include "render/gpu_scene.hpp"
 #include "render/program_store.hpp"
 #include "render/renderer.hpp"
@@ -36,6 +37,7 @@ struct SurfaceRun {
     SurfaceFeatures features = 0;  ///< Added to those of meshes, materials and maps.
     double time_s = 0.0;
     std::uint32_t shadow_texture = 0;
+    const GpuLightmap* lightmap = nullptr;  ///< Null: the run reads no baked light.
 };
 
 /// Draws objects' faces with programs made for surface.vert.
@@ -55,6 +57,7 @@ class SurfaceDrawer {
     void draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges);
     void set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s);
     void set_material(const LinkedProgram& program, const DrawItem& item, const GpuMaterial& material);
+    void set_lightmap(const LinkedProgram& program, const GpuLightmap* lightmap, ObjectId object);
     void set_maps(const LinkedProgram& program, const SurfaceItem& item);
 
     ProgramStore& programs_;

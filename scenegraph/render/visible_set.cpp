@@ -83,6 +83,7 @@ VisibleObject place_object(const Scene& scene, ObjectId object, const View& view
     item.clip_from_object = glm::mat4(glm::dmat4(view.clip_from_view) * view_from_relative * relative);
     item.relative_from_object = glm::mat4(relative);
     item.facing = (determinant < 0.0) != view.is_mirrored ? -1.0f : 1.0f;
+    item.handedness = determinant < 0.0 ? -1.0f : 1.0f;
     item.scale = static_cast<float>(std::cbrt(std::abs(determinant)));
     // Of a matrix that flattens there is no inverse; any finite normals do.
     item.normal_from_object =

@@ -29,7 +29,8 @@ struct VisibleObject {
     glm::mat4 clip_from_object{1.0f};
     glm::mat4 relative_from_object{1.0f};  ///< World directions, origin at the eye.
     glm::mat3 normal_from_object{1.0f};
-    float facing = 1.0f;      ///< -1 where the transform or the view mirrors.
+    float facing = 1.0f;      ///< -1 where either the transform or the view mirrors.
+    float handedness = 1.0f;  ///< -1 where the transform mirrors.
     float scale = 1.0f;       ///< Metres per unit of object space, mean.
     double distance_m = 0.0;  ///< From the eye to the object's bounds: the order of drawing.
     std::uint32_t first_range = 0;

@@ -32,7 +32,8 @@ constexpr SurfaceFeatures maps_on(SurfaceFeatures uv_set)
 /// Combinations that between them switch on every feature.
 const std::map<std::string, SurfaceFeatures> kCombinations = {
     {"bare", 0},
-    {"lit", SurfaceFeatures(8) << f::kLightCountBit | f::kShadow | f::kPresence | f::kDoubleSided},
+    {"lit", SurfaceFeatures(8) << f::kLightCountBit | SurfaceFeatures(2) << f::kSunCountBit | f::kSpotLights |
+                f::kLightRanges | f::kShadow | f::kPresence | f::kDoubleSided},
     {"textured", f::kUv0 | maps_on(1) | f::kAlphaMask | SurfaceFeatures(2) << f::kLightCountBit},
     {"second_uv", f::kUv0 | f::kUv1 | f::kTangents | f::kColours | maps_on(2) | f::kAlphaBlend | f::kDoubleSided},
     {"mapped", f::kUv0 | f::kHatchMap | f::kInkMap | f::kTonalMap | SurfaceFeatures(1) << f::kLightCountBit},

@@ -1,44 +1,93 @@
 // Light on a surface, shared by all styles. Include after surface.glsl and shadow.glsl. Illuminance is in lux, luminance in
 // candela per square metre; hw_display() makes colours of the picture of it.
+#include "baked.glsl"
 
 const float kHwPi = 3.14159265;
 const vec3 kHwLuminanceWeights = vec3(0.2126, 0.7152, 0.0722);
 
 float hw_luminance(vec3 colour_linear) { return dot(colour_linear, kHwLuminanceWeights); }
 
-// Light i at the surface: illuminance of a face that looks at it, lux. `to_light` is unit.
-vec3 hw_illuminance(HwSurface s, int i, out vec3 to_light)
+// The main light, the one with a shadow: the host puts it first.
+const int kHwMainLight = 0;
+
+// A sun on a face with this normal, in the main light's shadow: lux.
+vec3 hw_sun(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
 {
-    float kind = hw_light_position[i].w;
-    if (kind < 0.5) {
-        to_light = -hw_light_direction[i].xyz;
-        return hw_light_colour[i].rgb;
-    }
-    vec3 d = hw_light_position[i].xyz - s.position_world;
-    float distance_squared = max(dot(d, d), 1e-4);
-    to_light = d * inversesqrt(distance_squared);
-    float falloff = 1.0 / distance_squared;
-    float range = hw_light_direction[i].w;
-    if (range > 0.0) {  // as KHR_lights_punctual recommends
-        float share = distance_squared / (range * range);
-        falloff *= clamp(1.0 - share * share, 0.0, 1.0);
-    }
-    if (kind > 1.5) {
-        float cone = clamp(dot(hw_light_direction[i].xyz, -to_light) * hw_light_cone[i].x + hw_light_cone[i].y, 0.0, 1.0);
-        falloff *= cone * cone;
-    }
-    return hw_light_colour[i].rgb * falloff;
+    to_light = -hw_light_direction[i].xyz;
+    float facing = max(dot(normal_world, to_light), 0.0);
+    // No test of `facing` around the shadow: software renderers run both sides of a branch.
+    if (i == kHwMainLight) facing *= hw_shadow(s);
+    return hw_light_colour[i].rgb * facing;
 }
 
-// The index of the main light, the one with a shadow; 0 when there is none.
-int hw_main_light() { return int(hw_shadow_params.z + 0.5); }
+// A point or spot light on a face with this normal: lux.
+vec3 hw_lamp(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
+{
+    vec3 d = hw_light_position[i].xyz - s.position_world;
+    float distance_squared = max(dot(d, d), 1e-4);
+    float near = inversesqrt(distance_squared);
+    to_light = d * near;
+    float share = max(dot(normal_world, to_light), 0.0) * near * near;
+#ifdef HW_LIGHT_RANGES  // as KHR_lights_punctual recommends
+    float range = hw_light_direction[i].w;
+    float reached = distance_squared / max(range * range, 1e-6);
+    if (range > 0.0) share *= clamp(1.0 - reached * reached, 0.0, 1.0);
+#endif
+#ifdef HW_SPOT_LIGHTS
+    float cone = clamp(dot(hw_light_direction[i].xyz, -to_light) * hw_light_cone[i].x + hw_light_cone[i].y, 0.0, 1.0);
+    if (hw_light_position[i].w > 1.5) share *= cone * cone;
+#endif
+    return hw_light_colour[i].rgb * share;
+}
+
+// Lights with constant indices: a loop would fetch them anew for each pixel.
+void hw_add_light(HwSurface s, vec3 n, const int i, inout vec3 sum, inout vec3 way)
+{
+    vec3 to_light;
+    vec3 illuminance = i < HW_SUN_COUNT ? hw_sun(s, n, i, to_light) : hw_lamp(s, n, i, to_light);
+    sum += illuminance;
+    way += to_light * hw_luminance(illuminance);
+}
+
+// All lights on a face with this normal, lux, and the direction from which most of their light comes.
+vec3 hw_direct(HwSurface s, vec3 n, out vec3 mean_to_light)
+{
+    vec3 sum = vec3(0.0);
+    vec3 way = 1e-6 * n;
+#if HW_LIGHT_COUNT > 0
+    hw_add_light(s, n, 0, sum, way);
+#endif
+#if HW_LIGHT_COUNT > 1
+    hw_add_light(s, n, 1, sum, way);
+#endif
+#if HW_LIGHT_COUNT > 2
+    hw_add_light(s, n, 2, sum, way);
+#endif
+#if HW_LIGHT_COUNT > 3
+    hw_add_light(s, n, 3, sum, way);
+#endif
+#if HW_LIGHT_COUNT > 4
+    hw_add_light(s, n, 4, sum, way);
+#endif
+#if HW_LIGHT_COUNT > 5
+    hw_add_light(s, n, 5, sum, way);
+#endif
+#if HW_LIGHT_COUNT > 6
+    hw_add_light(s, n, 6, sum, way);
+#endif
+#if HW_LIGHT_COUNT > 7
+    hw_add_light(s, n, 7, sum, way);
+#endif
+    mean_to_light = normalize(way);
+    return sum;
+}
 
 // Light from all around, luminance: what a matte white face with this normal reflects of it. The brightest part of the sky
 // is the sun's side, so that what lies in shadow still shows its form; ground light keeps faces from being black.
 vec3 hw_ambient(vec3 normal_world)
 {
 #if HW_LIGHT_COUNT > 0
-    vec3 brightest = vec3(0.0, 0.75, 0.0) - 0.5 * hw_light_direction[hw_main_light()].xyz;
+    vec3 brightest = vec3(0.0, 0.75, 0.0) - 0.5 * hw_light_direction[kHwMainLight].xyz;
 #else
     vec3 brightest = vec3(0.0, 1.0, 0.0);
 #endif
@@ -72,14 +121,6 @@ vec3 hw_specular(vec3 n, vec3 to_eye, vec3 to_light, vec3 f0, float alpha)
     return fresnel * (distribution * visibility);
 }
 
-// Light i on a face with this normal, in the main light's shadow: lux.
-vec3 hw_direct(HwSurface s, vec3 normal_world, int i, out vec3 to_light)
-{
-    vec3 illuminance = hw_illuminance(s, i, to_light) * max(dot(normal_world, to_light), 0.0);
-    if (i == hw_main_light() && hw_shadow_params.w > 0.5 && illuminance.g > 0.0) illuminance *= hw_shadow(s);
-    return illuminance;
-}
-
 // What the material sends to the eye, luminance.
 vec3 hw_lit(HwSurface s, HwMaterial m)
 {
@@ -91,22 +132,32 @@ vec3 hw_lit(HwSurface s, HwMaterial m)
     float alpha = roughness * roughness;
     vec3 f0 = mix(vec3(0.04), m.base_colour, m.metallic);
     vec3 diffuse = m.base_colour * (1.0 - m.metallic);
-    vec3 result = m.emissive / hw_exposure;
-    for (int i = 0; i < HW_LIGHT_COUNT; ++i) {
-        vec3 to_light;
-        vec3 illuminance = hw_direct(s, n, i, to_light);
-        if (hw_luminance(illuminance) > 0.0)
-            result += illuminance * (diffuse / kHwPi + hw_specular(n, s.to_eye_world, to_light, f0, alpha));
-    }
+    // One highlight for all lights, where most of the light comes from.
+    vec3 to_light;
+    vec3 illuminance = hw_direct(s, n, to_light);
+    vec3 specular = hw_specular(n, s.to_eye_world, to_light, f0, alpha);
+#ifdef HW_LIGHTMAP
+    // What was baked knows the surface's own normal alone: a normal map turns it as it turns light that nothing hides.
+    float around_lux = kHwPi * hw_luminance(hw_ambient(s.normal_world));
+    float relief_lux = hw_luminance(illuminance);
+    float flat_lux = relief_lux * max(dot(s.normal_world, to_light), 0.05) / max(dot(n, to_light), 0.05);
+    vec3 baked = hw_baked_illuminance();
+    float open = clamp(hw_luminance(baked) / max(around_lux + flat_lux, 1e-3), 0.0, 1.0);
+    vec3 all_around = baked * ((around_lux + relief_lux) / (max(around_lux + flat_lux, 1e-3) * kHwPi));
+    vec3 result = m.emissive / hw_exposure + illuminance * specular * open;
+#else
+    float open = 1.0;
+    // Light around a coloured thing has met it, or its like, before: shade is richer in colour than light.
+    vec3 all_around = hw_ambient(n) * (0.75 + 0.75 * m.base_colour);
+    vec3 result = m.emissive / hw_exposure + illuminance * (diffuse / kHwPi + specular);
+#endif
     float n_v = clamp(dot(n, s.to_eye_world), 0.0, 1.0);
     // Karis' fit of the split-sum table: reflection of an even surrounding by a rough surface.
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a004 = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
     vec2 ab = vec2(-1.04, 1.04) * a004 + r.zw;
     vec3 reflected = hw_surroundings(reflect(-s.to_eye_world, n), roughness) * (f0 * ab.x + ab.y);
-    // Light around a coloured thing has met it, or its like, before: shade is richer in colour than light.
-    vec3 around = hw_ambient(n) * (0.75 + 0.75 * m.base_colour);
-    return result + m.occlusion * (diffuse * around + reflected);
+    return result + m.occlusion * (diffuse * all_around + open * reflected);
 #endif
 }
 
@@ -126,11 +177,12 @@ vec3 hw_display(vec3 luminance)
 // hatching, cartoon steps and shade go by.
 float hw_light_tone(HwSurface s, vec3 normal_world)
 {
-    vec3 luminance = hw_ambient(normal_world);
-    for (int i = 0; i < HW_LIGHT_COUNT; ++i) {
-        vec3 to_light;
-        luminance += hw_direct(s, normal_world, i, to_light) / kHwPi;
-    }
+#ifdef HW_LIGHTMAP
+    vec3 luminance = hw_baked_illuminance() / kHwPi;
+#else
+    vec3 to_light;
+    vec3 luminance = hw_ambient(normal_world) + hw_direct(s, normal_world, to_light) / kHwPi;
+#endif
     float x = hw_luminance(luminance) * hw_exposure;
     return sqrt(clamp(1.0 - exp2(-2.3 * x), 0.0, 1.0));
 }

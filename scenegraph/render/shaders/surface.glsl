@@ -14,7 +14,9 @@
 //   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP                           the object has a map of that kind: hw_hatch_map ...
 //   HW_PRESENCE                                                    presence is not 1 everywhere
 //   HW_SHADOW                                                      the main light has a shadow map (shadow.glsl)
-//   HW_LIGHT_COUNT n                                               always: lights of the scene, 0 to 8
+//   HW_LIGHTMAP                                                    the object has baked light (baked.glsl)
+//   HW_LIGHT_COUNT n HW_SUN_COUNT n                                always: lights of the scene, 0 to 8; suns are the first
+//   HW_SPOT_LIGHTS HW_LIGHT_RANGES                                 some light has a cone, or a range
 #include "frame.glsl"
 #include "presence.glsl"
 
@@ -38,7 +40,7 @@ in vec4 hw_v_colour;
 #endif
 
 uniform float hw_certainty;         // of the level, in [0, 1]
-uniform float hw_facing;            // -1 where the transform or the view mirrors, else 1
+uniform float hw_handedness;        // -1 where the transform mirrors, else 1
 uniform vec2 hw_hatch_scale;        // metres per unit of uv0, and per unit of object space
 uniform vec4 hw_base_colour_factor;
 uniform vec4 hw_material_factors;   // metallic, roughness, alpha cutoff, occlusion strength
@@ -176,13 +178,17 @@ vec3 hw_mapped_normal(HwSurface s)
     vec3 n = texture(hw_normal_map, uv).xyz * 2.0 - 1.0;
     n.xy *= hw_emissive_normal.w;
 #ifdef HW_HAS_TANGENTS
-    vec3 tangent = hw_v_tangent_world.xyz - s.normal_world * dot(s.normal_world, hw_v_tangent_world.xyz);
-    vec3 bitangent = cross(s.normal_world, tangent) * hw_v_tangent_world.w * hw_facing;
+    // Interpolated, unorthogonal and not unit, as whoever baked the map will have done it (Mikkelsen 2008).
+    float side = hw_v_tangent_world.w * hw_handedness;
+    vec3 normal = hw_v_normal_world;
 #ifdef HW_DOUBLE_SIDED
-    bitangent *= gl_FrontFacing ? 1.0 : -1.0;
+    normal *= gl_FrontFacing ? 1.0 : -1.0;
+    side *= gl_FrontFacing ? 1.0 : -1.0;
 #endif
+    vec3 tangent = hw_v_tangent_world.xyz;
+    return normalize(tangent * n.x + cross(normal, tangent) * (side * n.y) + normal * n.z);
 #else
-    // Without tangents of the model: from derivatives, as of Mikkelsen 2010.
+    // Without tangents of the model: from derivatives (Mikkelsen 2010).
     vec3 dpx = dFdx(hw_v_position_relative);
     vec3 dpy = dFdy(hw_v_position_relative);
     vec2 dux = dFdx(uv);
@@ -192,10 +198,10 @@ vec3 hw_mapped_normal(HwSurface s)
     float facing = dot(dpx, rx) < 0.0 ? -1.0 : 1.0;
     vec3 tangent = facing * (rx * dux.x + ry * duy.x);
     vec3 bitangent = facing * (rx * dux.y + ry * duy.y);
-#endif
     float longest = max(dot(tangent, tangent), dot(bitangent, bitangent));
     float scale = longest > 0.0 ? inversesqrt(longest) : 0.0;
     return normalize(tangent * scale * n.x + bitangent * scale * n.y + s.normal_world * n.z);
+#endif
 #else
     return s.normal_world;
 #endif

@@ -25,8 +25,32 @@ in vec4 hw_in_colour;
 out vec4 hw_v_colour;
 #endif
 
+#ifdef HW_LIGHTMAP
+#if HW_LIGHTMAP == 1
+in vec2 hw_in_lightmap_uv;
+out vec2 hw_v_lightmap_uv;
+#else
+uniform highp sampler2D hw_lightmap;
+uniform vec4 hw_lightmap_place;  // luxels: xy the first one, z from the front's to the back's
+out vec3 hw_v_baked;
+#ifdef HW_DOUBLE_SIDED
+out vec3 hw_v_baked_back;
+#endif
+
+vec3 hw_vertex_luxel(int step)
+{
+    int width = textureSize(hw_lightmap, 0).x;
+    int at = int(hw_lightmap_place.y) * width + int(hw_lightmap_place.x) + gl_VertexID + step;
+    return texelFetch(hw_lightmap, ivec2(at % width, at / width), 0).rgb;
+}
+#endif
+#endif
+
 uniform mat4 hw_relative_from_object;  // world relative to the eye, from object
 uniform mat3 hw_normal_from_object;
+
+// Zero where the model states no direction that can be used.
+vec3 hw_unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }
 
 void main()
 {
@@ -34,9 +58,9 @@ void main()
     hw_v_position_object = hw_in_position;
     hw_v_position_relative = (hw_relative_from_object * vec4(hw_in_position, 1.0)).xyz;
     hw_v_normal_object = hw_in_normal;
-    hw_v_normal_world = hw_normal_from_object * hw_in_normal;
+    hw_v_normal_world = hw_unit(hw_normal_from_object * hw_in_normal);
 #ifdef HW_HAS_TANGENTS
-    hw_v_tangent_world = vec4(mat3(hw_relative_from_object) * hw_in_tangent.xyz, hw_in_tangent.w);
+    hw_v_tangent_world = vec4(hw_unit(mat3(hw_relative_from_object) * hw_in_tangent.xyz), hw_in_tangent.w);
 #endif
 #ifdef HW_HAS_UV0
     hw_v_uv0 = hw_in_uv0;
@@ -46,5 +70,15 @@ void main()
 #endif
 #ifdef HW_HAS_COLOURS
     hw_v_colour = hw_in_colour;
+#endif
+#ifdef HW_LIGHTMAP
+#if HW_LIGHTMAP == 1
+    hw_v_lightmap_uv = hw_in_lightmap_uv;
+#else
+    hw_v_baked = hw_vertex_luxel(0);
+#ifdef HW_DOUBLE_SIDED
+    hw_v_baked_back = hw_vertex_luxel(int(hw_lightmap_place.z));
+#endif
+#endif
 #endif
 }
