@@ -108,6 +108,7 @@ void WalkSession::place(const Camera& camera)
 
 void WalkSession::run()
 {
+    start_ = Clock::now();  // a style's time does not pass while a level is opened
     while (!window_.should_close()) frame();
     if (styles_->has_unsaved()) log_warning("closed with style changes that were not saved");
 }
@@ -231,25 +232,28 @@ std::string WalkSession::save_level()
 std::string WalkSession::save_picture()
 {
     // As it stands on the screen, at the window's full size and without words over it.
-    stage_->draw(view(window_.framebuffer_size_px(), window_.content_scale()),
+    const glm::ivec2 size_px = glm::max(window_.framebuffer_size_px(), glm::ivec2(1));
+    stage_->draw(view(size_px, window_.content_scale()),
                  {.samples = options_.samples.value_or(4), .use_pvs = !options_.level.without_pvs});
-    const fs::path file = free_picture_name(fs::current_path(), stage_->level().file);
+    const fs::path file = free_picture_name({}, stage_->level().file);
     write_png(file, stage_->renderer().read_picture());
-    log_info(file.string() + ": the same view is " + camera_arguments(camera()));
-    return "Saved " + file.string();
+    std::error_code unknown;
+    const std::string where = fs::absolute(file, unknown).string();
+    log_info(where + ": the same view is " + camera_arguments(camera()));
+    return "Saved " + (where.empty() ? file.string() : where);
 }
 
 void WalkSession::reload()
 {
-    const Reload changed = stage_->reload_changed();
-    if (changed == Reload::nothing) return;
-    if (changed == Reload::world) build_worlds();
-    build_own_collision();
     tell_result([this] {
+        const Reload changed = stage_->reload_changed();
+        if (changed == Reload::nothing) return std::string();
+        if (changed == Reload::world) build_worlds();
+        build_own_collision();
+        if (changed == Reload::world) player_ = in_world(player_, body_, collision());
         styles_->stage_changed();
         return std::string();
     });
-    if (changed == Reload::world) player_ = in_world(player_, body_, collision());
 }
 
 void WalkSession::draw()
