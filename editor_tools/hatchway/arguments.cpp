@@ -22,6 +22,7 @@ void add_level_arguments(CLI::App& command, LevelArguments& arguments)
         ->allow_extra_args(false);
     add_plugin_dir_argument(command, arguments.plugin_dirs);
     command.add_flag("--no-pvs", arguments.without_pvs, "Draw everything in the frustum");
+    command.add_flag("--no-baked-light", arguments.without_baked_light, "Leave the lightmap beside the level alone");
 }
 
 void add_plugin_dir_argument(CLI::App& command, std::vector<fs::path>& plugin_dirs)
@@ -42,7 +43,8 @@ StageOptions stage_options(const LevelArguments& arguments)
             .style_overrides = arguments.styles,
             .plugin_dirs = arguments.plugin_dirs,
             .has_visibility = !arguments.without_pvs,
-            .visibility = {}};
+            .visibility = {},
+            .baked_light = arguments.without_baked_light ? BakedLight::unwanted : BakedLight::if_there};
 }
 
 glm::ivec2 parse_size(const std::string& text)

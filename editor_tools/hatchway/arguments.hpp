@@ -20,6 +20,7 @@ struct LevelArguments {
     std::vector<std::string> styles;
     std::vector<std::filesystem::path> plugin_dirs;
     bool without_pvs = false;
+    bool without_baked_light = false;
 };
 
 void add_level_arguments(CLI::App& command, LevelArguments& arguments);

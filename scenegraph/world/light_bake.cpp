@@ -33,7 +33,7 @@ class Bake {
           places_(points_.luxels().size()),
           sums_(places_.size(), glm::vec3(0.0f))
     {
-        lightmap_.key = lightmap_key(scene, sources, options);
+        lightmap_.key = lightmap_key(scene, sources);
     }
     Lightmap run(const BakeObserver& observer);
 
@@ -194,12 +194,9 @@ Lightmap bake_lightmap(const Scene& scene, const LightSources& sources, const Ba
     return Bake(scene, sources, options).run(observer);
 }
 
-std::uint64_t lightmap_key(const Scene& scene, const LightSources& sources, const BakeOptions& options)
+std::uint64_t lightmap_key(const Scene& scene, const LightSources& sources)
 {
     KeyHash hash;
-    hash.add(options.luxels_per_m);
-    hash.add(options.samples);
-    hash.add(options.budget);
     add_lights(hash, sources);
     add_materials(hash, scene);
     for (const MeshData& mesh : scene.meshes) {

@@ -34,7 +34,7 @@ using BakeObserver = std::function<void(const BakeState&)>;
 Lightmap bake_lightmap(const Scene& scene, const LightSources& sources, const BakeOptions& options,
                        const BakeObserver& observer = {});
 
-/// A hash of all that a lightmap is made from: meshes, materials, images, placed objects, lights and options.
-std::uint64_t lightmap_key(const Scene& scene, const LightSources& sources, const BakeOptions& options);
+/// A hash of the state of a level that a lightmap is made for: meshes, materials, images, placed objects and lights.
+std::uint64_t lightmap_key(const Scene& scene, const LightSources& sources);
 
 }  // namespace hw
