@@ -46,7 +46,7 @@ struct Subject {
     double preprocess_s = 0.0;
 };
 
-enum class Method { brute, candidates, openmesh };
+enum class Method { brute, hierarchy, candidates, openmesh };
 
 struct Variant {
     Method method;
@@ -54,7 +54,8 @@ struct Variant {
     const char* method_name;
     const char* precision_name;
 };
-constexpr std::array<Variant, 5> kVariants{{{Method::brute, FacingPrecision::exact, "brute", "exact"},
+constexpr std::array<Variant, 6> kVariants{{{Method::brute, FacingPrecision::exact, "brute", "exact"},
+                                            {Method::hierarchy, FacingPrecision::exact, "hierarchy", "exact"},
                                             {Method::brute, FacingPrecision::double_only, "brute", "double"},
                                             {Method::brute, FacingPrecision::single_only, "brute", "float"},
                                             {Method::candidates, FacingPrecision::exact, "candidates", "exact"},
@@ -119,7 +120,7 @@ Subject subject_of(MeshData mesh, double offset, double scale, int view_count)
     for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) * scale + offset);
     Subject subject;
     const auto start = std::chrono::steady_clock::now();
-    subject.surface = build_surface(mesh);
+    subject.surface = build_surface(mesh, {.cluster_from_faces = 1});
     subject.preprocess_s = seconds_since(start);
     subject.half_edges = std::make_unique<HalfEdgeMesh>(subject.surface);
     subject.oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces);
@@ -131,10 +132,14 @@ Subject subject_of(MeshData mesh, double offset, double scale, int view_count)
 std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant, const Viewpoint& view,
                                  SilhouetteScratch& scratch, std::vector<int>& openmesh_edges, double& ms)
 {
-    const SilhouetteOptions options{.crease_rad = kNoCreases, .precision = variant.precision};
+    const SilhouetteOptions options{.crease_rad = kNoCreases,
+                                    .precision = variant.precision,
+                                    .method = variant.method == Method::hierarchy ? SilhouetteMethod::hierarchy
+                                                                                  : SilhouetteMethod::brute};
     std::span<const std::uint32_t> edges;
     const auto start = std::chrono::steady_clock::now();
-    if (variant.method == Method::brute) edges = all_silhouettes(subject.surface, view, options, scratch);
+    if (variant.method == Method::brute || variant.method == Method::hierarchy)
+        edges = all_silhouettes(subject.surface, view, options, scratch);
     if (variant.method == Method::candidates) edges = drawn_contours(subject.surface, view, options, scratch);
     if (variant.method == Method::openmesh) subject.half_edges->plain_silhouettes(view, openmesh_edges);
     ms = 1e3 * seconds_since(start);
@@ -191,7 +196,8 @@ void measure_subject(const Subject& subject, Row& row)
     }
     row.edges = subject.surface.edges.size();
     row.counters = scratch.counters;
-    row.bytes = edge_bytes(subject.surface) + subject.surface.filter.bytes();
+    row.bytes = edge_bytes(subject.surface) + subject.surface.filter.bytes() +
+                (row.variant.method == Method::hierarchy ? subject.surface.clusters.bytes() : 0);
     row.preprocess_s = subject.preprocess_s;
 }
 

@@ -78,39 +78,43 @@ void FaceClusters::prepare(const Surface& surface)
     for (const glm::vec3& p : surface.positions) box.add(glm::dvec3(p));
     centre_ = box.centre();
     scale_ = 1.0 / std::max({box.size().x, box.size().y, box.size().z, 1e-300});
-    for (auto& stream : bounds_) stream.assign(count_, 0.0f);
-    for (std::uint32_t cluster = 0; cluster < count_; ++cluster) bound_faces(surface, cluster);
+    bound_faces(surface, kFaces, cluster_bounds_);
+    bound_faces(surface, kFaces * kGroup, group_bounds_);
     sort_edges(surface);
+    link_groups();
 }
 
-void FaceClusters::bound_faces(const Surface& surface, std::uint32_t cluster)
+void FaceClusters::bound_faces(const Surface& surface, std::uint32_t faces_each, Bounds& bounds) const
 {
-    const auto begin = cluster * kFaces;
-    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(surface.faces.size(), begin + kFaces));
-    Box box;
-    glm::dvec3 sum(0.0);
-    bool is_sure = true;
-    for (std::uint32_t face = begin; face < end; ++face) {
-        for (const std::uint32_t corner : surface.faces[face]) {
-            box.add((glm::dvec3(surface.positions[corner]) - centre_) * scale_);
+    const std::size_t face_count = surface.faces.size();
+    for (auto& stream : bounds) stream.reserve(face_count / faces_each + 1);
+    for (std::size_t begin = 0; begin < face_count; begin += faces_each) {
+        const auto end = static_cast<std::uint32_t>(std::min(face_count, begin + faces_each));
+        Box box;
+        glm::dvec3 sum(0.0);
+        bool is_sure = true;
+        for (auto face = static_cast<std::uint32_t>(begin); face < end; ++face) {
+            for (const std::uint32_t corner : surface.faces[face]) {
+                box.add((glm::dvec3(surface.positions[corner]) - centre_) * scale_);
+            }
+            const glm::dvec3 normal = sure_normal(surface, face);
+            is_sure = is_sure && normal != glm::dvec3(0.0);
+            sum += normal;
         }
-        const glm::dvec3 normal = sure_normal(surface, face);
-        is_sure = is_sure && normal != glm::dvec3(0.0);
-        sum += normal;
+        is_sure = is_sure && glm::length(sum) > 1e-3;
+        const glm::dvec3 axis = is_sure ? glm::normalize(sum) : glm::dvec3(0.0);
+        double cosine = is_sure ? 1.0 : 0.0;
+        for (auto face = static_cast<std::uint32_t>(begin); is_sure && face < end; ++face) {
+            cosine = std::min(cosine, glm::dot(axis, sure_normal(surface, face)));
+        }
+        for (int i = 0; i < 3; ++i) {
+            bounds[i].push_back(static_cast<float>(box.centre()[i]));
+            bounds[4 + i].push_back(static_cast<float>(axis[i]));
+        }
+        bounds[3].push_back(static_cast<float>(0.5 * glm::length(box.size())) + kBallSlack);
+        const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) + kSineSlack;
+        bounds[7].push_back(cosine > 0.0 ? static_cast<float>(sine) : kNeverUniform);
     }
-    is_sure = is_sure && glm::length(sum) > 1e-3;
-    const glm::dvec3 axis = is_sure ? glm::normalize(sum) : glm::dvec3(0.0), middle = box.centre();
-    double cosine = is_sure ? 1.0 : 0.0;
-    for (std::uint32_t face = begin; is_sure && face < end; ++face) {
-        cosine = std::min(cosine, glm::dot(axis, sure_normal(surface, face)));
-    }
-    for (int i = 0; i < 3; ++i) {
-        bounds_[i][cluster] = static_cast<float>(middle[i]);
-        bounds_[4 + i][cluster] = static_cast<float>(axis[i]);
-    }
-    bounds_[3][cluster] = static_cast<float>(0.5 * glm::length(box.size())) + kBallSlack;
-    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) + kSineSlack;
-    bounds_[7][cluster] = cosine > 0.0 ? static_cast<float>(sine) : kNeverUniform;
 }
 
 void FaceClusters::sort_edges(const Surface& surface)
@@ -148,29 +152,70 @@ void FaceClusters::sort_edges(const Surface& surface)
     for (std::size_t i = 1; i < first_link_.size(); ++i) first_link_[i] += first_link_[i - 1];
 }
 
-std::size_t FaceClusters::bytes() const
+void FaceClusters::link_groups()
 {
-    return bounds_.size() * bounds_[0].size() * sizeof(float) + links_.size() * sizeof(Link) +
-           edge_faces_.size() * sizeof(edge_faces_[0]) + (edges_.size() + first_link_.size() + loose_edges_.size()) * sizeof(std::uint32_t);
+    first_group_link_.assign(1, 0);
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t group = 0; group < group_count(); ++group) {
+        others.clear();
+        for (std::uint32_t cluster = group * kGroup; cluster < std::min(count_, (group + 1) * kGroup); ++cluster) {
+            for (const Link& link : links(cluster)) others.push_back(link.other / kGroup);
+        }
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        std::erase(others, group);
+        group_links_.insert(group_links_.end(), others.begin(), others.end());
+        first_group_link_.push_back(static_cast<std::uint32_t>(group_links_.size()));
+    }
 }
 
-void FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> facing) const
+std::size_t FaceClusters::bytes() const
+{
+    return 8 * (cluster_bounds_[0].size() + group_bounds_[0].size()) * sizeof(float) + links_.size() * sizeof(Link) +
+           edge_faces_.size() * sizeof(edge_faces_[0]) +
+           (edges_.size() + first_link_.size() + loose_edges_.size() + group_links_.size() +
+            first_group_link_.size()) * sizeof(std::uint32_t);
+}
+
+/// The eye in the space of the bounds.
+struct FaceClusters::Query {
+    glm::vec3 eye;
+    float weight;  ///< Of the balls; 0 for orthographic views.
+    float slack;
+};
+
+void FaceClusters::decide_run(const Bounds& bounds, const Query& query, std::uint32_t begin, std::uint32_t end,
+                              std::span<Facing> facing)
+{
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const float x = query.eye.x - query.weight * bounds[0][i], y = query.eye.y - query.weight * bounds[1][i],
+                    z = query.eye.z - query.weight * bounds[2][i];
+        const float along = x * bounds[4][i] + y * bounds[5][i] + z * bounds[6][i];
+        const float beyond_ball = std::abs(along) - (query.weight * bounds[3][i] + query.slack);
+        const float squared = bounds[7][i] * bounds[7][i] * (x * x + y * y + z * z);
+        const bool is_uniform = beyond_ball > 0.0f && beyond_ball * beyond_ball > squared;
+        facing[i] = !is_uniform ? Facing::mixed : along > 0.0f ? Facing::front : Facing::back;
+    }
+}
+
+void FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> groups,
+                          std::span<Facing> clusters) const
 {
     const bool is_direction = viewpoint_object.is_orthographic;
-    glm::dvec3 eye = is_direction ? viewpoint_object.eye : (viewpoint_object.eye - centre_) * scale_;
+    const glm::dvec3 eye = is_direction ? viewpoint_object.eye : (viewpoint_object.eye - centre_) * scale_;
     // A far eye is drawn in to where its rounding to floats is within the slack; all lengths shrink alike.
     const double distance = glm::length(eye);
     const double shrink = (is_direction || distance > 4.0) && distance > 0.0 ? 1.0 / distance : 1.0;
-    eye *= shrink;
-    const glm::vec3 e(eye);
-    const float weight = is_direction ? 0.0f : static_cast<float>(shrink), slack = is_direction ? 0.0f : kBallSlack;
-    for (std::uint32_t i = 0; i < count_; ++i) {
-        const float x = e.x - weight * bounds_[0][i], y = e.y - weight * bounds_[1][i], z = e.z - weight * bounds_[2][i];
-        const float along = x * bounds_[4][i] + y * bounds_[5][i] + z * bounds_[6][i];
-        const float beyond_ball = std::abs(along) - (weight * bounds_[3][i] + slack);
-        const float squared = bounds_[7][i] * bounds_[7][i] * (x * x + y * y + z * z);
-        const bool is_uniform = beyond_ball > 0.0f && beyond_ball * beyond_ball > squared;
-        facing[i] = !is_uniform ? Facing::mixed : along > 0.0f ? Facing::front : Facing::back;
+    const Query query{glm::vec3(eye * shrink), is_direction ? 0.0f : static_cast<float>(shrink),
+                      is_direction ? 0.0f : kBallSlack};
+    decide_run(group_bounds_, query, 0, group_count(), groups);
+    for (std::uint32_t group = 0; group < group_count(); ++group) {
+        const std::uint32_t begin = group * kGroup, end = std::min(count_, begin + kGroup);
+        if (groups[group] == Facing::mixed) {
+            decide_run(cluster_bounds_, query, begin, end, clusters);
+        } else {
+            std::fill(clusters.begin() + begin, clusters.begin() + end, groups[group]);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 
+#include "core/error.hpp"
 #include "geometry/silhouette_stages.hpp"
 #include "geometry/surface_faces.hpp"
 
@@ -18,11 +19,14 @@ constexpr std::uint32_t kBlocks = FaceClusters::kFaces / FacingFilter::kBlock;
 class ClusterSearch {
  public:
     ClusterSearch(const SilhouetteSearch& search, SilhouetteScratch& scratch)
-        : search_(search), surface_(search.surface), clusters_(search.surface.clusters), scratch_(scratch)
+        : search_(search), surface_(search.surface), clusters_(search.surface.clusters), scratch_(scratch),
+          first_(search.ranges[0]), second_(search.ranges.size() > 1 ? search.ranges[1] : EdgeRange{})
     {
+        HW_ASSERT(search.ranges.size() <= 2);
         const FacingFilter& filter = surface_.filter;
         make_room(scratch.facing, std::size_t{clusters_.count()} * FaceClusters::kFaces);
         make_room(scratch.open_faces, std::size_t{filter.block_count()} * FacingFilter::kBlock);
+        make_room(scratch.groups, clusters_.group_count());
         make_room(scratch.clusters, clusters_.count());
         make_room(scratch.filled, clusters_.count());
         std::fill_n(scratch.filled.begin(), clusters_.count(), std::uint8_t{0});
@@ -30,26 +34,47 @@ class ClusterSearch {
 
     std::uint32_t run()
     {
-        clusters_.decide(search_.viewpoint, scratch_.clusters);
+        clusters_.decide(search_.viewpoint, scratch_.groups, scratch_.clusters);
         open_mixed_clusters();
-        for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
-            for (const FaceClusters::Link& link : clusters_.links(cluster)) {
-                const Facing own = scratch_.clusters[cluster], other = scratch_.clusters[link.other];
-                if (own == other && own != Facing::mixed) continue;
-                fill(cluster);
-                fill(link.other);
-                test(cluster, link);
-            }
+        for (std::uint32_t group = 0; group < clusters_.group_count(); ++group) {
+            if (is_far_from_contour(group)) continue;
+            const std::uint32_t begin = group * FaceClusters::kGroup;
+            const std::uint32_t end = std::min(clusters_.count(), begin + FaceClusters::kGroup);
+            for (std::uint32_t cluster = begin; cluster < end; ++cluster) test_links(cluster);
         }
         test_loose_edges();
         return count_;
     }
 
  private:
+    bool is_far_from_contour(std::uint32_t group) const
+    {
+        const Facing own = scratch_.groups[group];
+        const auto others = clusters_.group_links(group);
+        return own != Facing::mixed && std::all_of(others.begin(), others.end(), [&](std::uint32_t other) {
+                   return scratch_.groups[other] == own;
+               });
+    }
+
+    void test_links(std::uint32_t cluster)
+    {
+        for (const FaceClusters::Link& link : clusters_.links(cluster)) {
+            const Facing own = scratch_.clusters[cluster], other = scratch_.clusters[link.other];
+            if (own == other && own != Facing::mixed) continue;
+            fill(cluster);
+            fill(link.other);
+            test(cluster, link);
+        }
+    }
+
     void open_mixed_clusters()
     {
         const FacingFilter::Query query = surface_.filter.query(search_.viewpoint);
         for (std::uint32_t first = 0; first < clusters_.count();) {
+            if (first % FaceClusters::kGroup == 0 && scratch_.groups[first / FaceClusters::kGroup] != Facing::mixed) {
+                first += FaceClusters::kGroup;
+                continue;
+            }
             if (scratch_.clusters[first] != Facing::mixed) {
                 ++first;
                 continue;
@@ -97,25 +122,31 @@ class ClusterSearch {
                     scratch_.clusters[cluster] == Facing::front ? 1 : 0, FaceClusters::kFaces);
     }
 
-    bool is_wanted(std::uint32_t edge) const
+    std::uint32_t is_wanted(std::uint32_t edge) const
     {
-        return std::any_of(search_.ranges.begin(), search_.ranges.end(),
-                           [&](const EdgeRange& range) { return edge >= range.begin && edge < range.end; });
+        return static_cast<std::uint32_t>(edge - first_.begin < first_.size()) |
+               static_cast<std::uint32_t>(edge - second_.begin < second_.size());
     }
 
     void keep(std::uint32_t edge)
     {
-        if (is_wanted(edge)) scratch_.edges[count_++] = edge;
+        if (is_wanted(edge) != 0) scratch_.edges[count_++] = edge;
     }
 
     void test(std::uint32_t cluster, const FaceClusters::Link& link)
     {
         const std::uint8_t* const own = scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces;
         const std::uint8_t* const other = scratch_.facing.data() + std::size_t{link.other} * FaceClusters::kFaces;
-        const auto faces = clusters_.edge_faces();
+        const std::array<std::uint8_t, 2>* const faces = clusters_.edge_faces().data();
+        const std::uint32_t* const edges = clusters_.edges().data();
+        std::uint32_t* const found = scratch_.edges.data();
+        std::uint32_t count = count_;
         for (std::uint32_t i = link.begin; i < link.end; ++i) {
-            if (own[faces[i][0]] != other[faces[i][1]]) keep(clusters_.edges()[i]);
+            const std::uint32_t edge = edges[i];
+            found[count] = edge;  // kept only when it differs and is wanted: no branch to mispredict
+            count += static_cast<std::uint32_t>(own[faces[i][0]] ^ other[faces[i][1]]) & is_wanted(edge);
         }
+        count_ = count;
         scratch_.counters.edges_tested += link.end - link.begin;
     }
 
@@ -136,6 +167,8 @@ class ClusterSearch {
     const Surface& surface_;
     const FaceClusters& clusters_;
     SilhouetteScratch& scratch_;
+    EdgeRange first_;
+    EdgeRange second_;
     std::uint32_t count_ = 0;
 };
 

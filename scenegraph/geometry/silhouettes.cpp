@@ -37,21 +37,26 @@ std::uint32_t append_differing(const Surface& surface, EdgeRange range, Silhouet
     const std::uint8_t* const facing = scratch.facing.data();
     const std::array<std::uint32_t, 2>* const faces = surface.edges.faces.data();
     std::uint32_t* const found = scratch.edges.data();
-    const auto differs = [&](std::uint32_t edge) -> std::uint32_t {
-        return facing[faces[edge][0]] ^ facing[faces[edge][1]];
-    };
     std::uint32_t edge = range.begin;
     for (; edge + 4 <= range.end; edge += 4) {
-        const std::array<std::uint32_t, 4> four{differs(edge), differs(edge + 1), differs(edge + 2), differs(edge + 3)};
-        if ((four[0] | four[1] | four[2] | four[3]) == 0) continue;
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            found[count] = edge + i;  // kept only when it differs: no branch to mispredict
-            count += four[i];
-        }
+        const std::uint32_t a = facing[faces[edge][0]] ^ facing[faces[edge][1]];
+        const std::uint32_t b = facing[faces[edge + 1][0]] ^ facing[faces[edge + 1][1]];
+        const std::uint32_t c = facing[faces[edge + 2][0]] ^ facing[faces[edge + 2][1]];
+        const std::uint32_t d = facing[faces[edge + 3][0]] ^ facing[faces[edge + 3][1]];
+        if ((a | b | c | d) == 0) continue;
+        // Each is kept only when it differs: no branch to mispredict.
+        found[count] = edge;
+        count += a;
+        found[count] = edge + 1;
+        count += b;
+        found[count] = edge + 2;
+        count += c;
+        found[count] = edge + 3;
+        count += d;
     }
     for (; edge < range.end; ++edge) {
         found[count] = edge;
-        count += differs(edge);
+        count += facing[faces[edge][0]] ^ facing[faces[edge][1]];
     }
     scratch.counters.edges_tested += range.size();
     return count;

@@ -16,8 +16,6 @@
 namespace hw {
 namespace {
 
-constexpr std::size_t kClusteredFaces = 2000;  // measured: below this, looking at all faces is faster
-
 /// The corner between the other two of a collinear face, exactly.
 int middle_corner(const Surface& surface, const FaceCorners& face)
 {
@@ -45,7 +43,7 @@ class SurfaceBuild {
         mark_artist_edges(inner_, surface_, mesh_, position_of_vertex_, options_.artist_fold_rad);
         fill_table();
         surface_.filter.prepare(surface_.positions, surface_.faces);
-        if (surface_.faces.size() >= kClusteredFaces) surface_.clusters.prepare(surface_);
+        if (surface_.faces.size() >= options_.cluster_from_faces) surface_.clusters.prepare(surface_);
         return std::move(surface_);
     }
 

@@ -20,6 +20,8 @@ struct SurfaceOptions {
     float stitch_share = 1e-5f;
     /// Where the model's own normals split over a smaller fold than this, nobody meant an edge.
     float artist_fold_rad = 0.035f;
+    /// From so many faces on the surface gets clusters for silhouettes. Measured: they pay from here on.
+    std::uint32_t cluster_from_faces = 300'000;
 };
 
 /// What the making of a surface found and repaired, for `hatchway info`.

@@ -87,7 +87,7 @@ TEST(silhouettes, the_hierarchy_finds_what_brute_force_finds)
     const hw::MeshData flat = moved(torus(96, 48), glm::scale(glm::mat4(1.0f), glm::vec3(1.0f, 1e-3f, 20.0f)));
     hw::MeshData moebius = moebius_strip(3000);
     for (const hw::MeshData& mesh : {torus(96, 48), sphere(128, 64, 1e-6f), flat, moebius, klein_bottle(64, 48)}) {
-        const hw::Surface surface = hw::build_surface(mesh, {.is_solid = false});
+        const hw::Surface surface = hw::build_surface(mesh, {.is_solid = false, .cluster_from_faces = 1});
         ASSERT_FALSE(surface.clusters.is_empty());
         hw::SilhouetteScratch scratch;
         std::vector<hw::Viewpoint> views;
@@ -108,7 +108,7 @@ TEST(silhouettes, the_hierarchy_finds_what_brute_force_finds)
 
 TEST(silhouettes, the_hierarchy_looks_at_few_faces_of_a_fine_mesh)
 {
-    const hw::Surface surface = hw::build_surface(sphere(512, 256));
+    const hw::Surface surface = hw::build_surface(sphere(512, 256), {.cluster_from_faces = 1});
     hw::SilhouetteScratch scratch;
     hw::all_silhouettes(surface, {glm::dvec3(2.0, 1.5, 2.5)}, {}, scratch);
     EXPECT_LT(scratch.counters.faces_tested, surface.faces.size() / 8);
