@@ -89,7 +89,7 @@ TEST(ink_map, minimum_filtering_doubles_the_share_of_ink_and_mean_filtering_lose
     EXPECT_GT(tone_of(minimum.levels[3]), 3.0 * tone_of(finest));
     EXPECT_NEAR(tone_of(mean.levels[3]), tone_of(finest), 0.01);
     const auto darkest = [](const Pixels& level) { return *std::min_element(level.bytes.begin(), level.bytes.end()); };
-    EXPECT_LT(darkest(ink.map.levels[3]), 10);
+    EXPECT_LE(darkest(ink.map.levels[3]), 51);  // a pen of 1.6 texels between two texels covers 0.8 of each
     EXPECT_GT(darkest(mean.levels[4]), 120);
 }
 
