@@ -185,16 +185,15 @@ class Simplifier {
 
     std::vector<Opening> run()
     {
-        presort();
-        while (openings_.size() > 1 && merge_one()) {
-        }
+        merge_along_line();
+        merge_pairs();
         return std::move(openings_);
     }
 
  private:
     static constexpr double kMostGrowth = 1.15;       // by which a hull may always exceed its parts
     static constexpr std::size_t kMostOpenings = 16;  // more than this are merged at any cost
-    static constexpr std::size_t kMostPaired = 48;    // more than this are first merged with their neighbours along a line
+    static constexpr std::size_t kMostPaired = 48;    // more than this are first merged with the next in order
 
     Opening hull_of_two(std::size_t a, std::size_t b) const
     {
@@ -203,54 +202,62 @@ class Simplifier {
         return hull_of(std::move(points), normal_);
     }
 
-    void replace(std::size_t a, std::size_t b, Opening hull)
+    double added_by(std::size_t a, std::size_t b) const { return area_of(hull_of_two(a, b)) - areas_[a] - areas_[b]; }
+
+    void join(std::size_t a, std::size_t b)
     {
-        areas_[a] = area_of(hull);
-        openings_[a] = std::move(hull);
+        openings_[a] = hull_of_two(a, b);
+        areas_[a] = area_of(openings_[a]);
         openings_.erase(openings_.begin() + static_cast<std::ptrdiff_t>(b));
         areas_.erase(areas_.begin() + static_cast<std::ptrdiff_t>(b));
     }
 
-    void presort()
+    void merge_along_line()
     {
+        if (openings_.size() <= kMostPaired) return;
+        std::vector<double> added;
+        for (std::size_t i = 0; i + 1 < openings_.size(); ++i) added.push_back(added_by(i, i + 1));
         while (openings_.size() > kMostPaired) {
-            std::size_t best = 0;
-            double least = std::numeric_limits<double>::infinity();
-            Opening best_hull;
-            for (std::size_t i = 0; i + 1 < openings_.size(); ++i) {
-                Opening hull = hull_of_two(i, i + 1);
-                const double added = area_of(hull) - areas_[i] - areas_[i + 1];
-                if (added >= least) continue;
-                least = added;
-                best = i;
-                best_hull = std::move(hull);
-            }
-            replace(best, best + 1, std::move(best_hull));
+            const auto least = std::min_element(added.begin(), added.end());
+            const std::size_t i = static_cast<std::size_t>(least - added.begin());
+            join(i, i + 1);
+            added.erase(least);
+            if (i > 0) added[i - 1] = added_by(i - 1, i);
+            if (i < added.size()) added[i] = added_by(i, i + 1);
         }
     }
 
-    bool merge_one()
+    bool is_allowed(std::size_t a, std::size_t b, double added) const
     {
-        std::size_t best_a = 0;
-        std::size_t best_b = 0;
-        double least = std::numeric_limits<double>::infinity();
-        Opening best_hull;
+        return openings_.size() > kMostOpenings || added <= (kMostGrowth - 1.0) * (areas_[a] + areas_[b]);
+    }
+
+    void merge_pairs()
+    {
+        std::vector<std::vector<double>> added(openings_.size());  // by the lower, then by the higher number
         for (std::size_t a = 0; a < openings_.size(); ++a) {
-            for (std::size_t b = a + 1; b < openings_.size(); ++b) {
-                Opening hull = hull_of_two(a, b);
-                const double parts = areas_[a] + areas_[b];
-                const double added = area_of(hull) - parts;
-                const bool is_allowed = openings_.size() > kMostOpenings || added <= (kMostGrowth - 1.0) * parts;
-                if (!is_allowed || added >= least) continue;
-                least = added;
-                best_a = a;
-                best_b = b;
-                best_hull = std::move(hull);
+            added[a].resize(openings_.size());
+            for (std::size_t b = a + 1; b < openings_.size(); ++b) added[a][b] = added_by(a, b);
+        }
+        while (openings_.size() > 1) {
+            std::size_t best_a = 0;
+            std::size_t best_b = 0;
+            for (std::size_t a = 0; a < openings_.size(); ++a) {
+                for (std::size_t b = a + 1; b < openings_.size(); ++b) {
+                    const bool is_less = best_b == 0 || added[a][b] < added[best_a][best_b];
+                    if (is_less && is_allowed(a, b, added[a][b])) best_a = a, best_b = b;
+                }
+            }
+            if (best_b == 0) return;
+            join(best_a, best_b);
+            added.erase(added.begin() + static_cast<std::ptrdiff_t>(best_b));
+            for (std::vector<double>& row : added) row.erase(row.begin() + static_cast<std::ptrdiff_t>(best_b));
+            for (std::size_t other = 0; other < openings_.size(); ++other) {
+                if (other == best_a) continue;
+                added[std::min(other, best_a)][std::max(other, best_a)] =
+                    added_by(std::min(other, best_a), std::max(other, best_a));
             }
         }
-        if (best_b == 0) return false;
-        replace(best_a, best_b, std::move(best_hull));
-        return true;
     }
 
     std::vector<Opening> openings_;

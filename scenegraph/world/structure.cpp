@@ -137,6 +137,10 @@ void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, con
         structure.area_m2 += area(polygon.polygon) * square_m;
         structure.polygons.push_back(std::move(polygon));
     }
+    if (structure.structure_count > 0) return;
+    // Without structure there is one cluster, and nothing in it needs to be sealed.
+    structure.polygons.clear();
+    structure.area_m2 = 0.0;
 }
 
 }  // namespace

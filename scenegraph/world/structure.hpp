@@ -31,7 +31,8 @@ struct Structure {
 };
 
 /// Chooses and merges the structure of a scene from its opaque, static triangles. Structure is what lies in large planes,
-/// of the objects that Level::structure names (its globs reach children too), or of all; everything else is detail.
+/// of the objects that Level::structure names (its globs reach children too), or of all; everything else is detail. Where
+/// nothing is structure there are no details either.
 /// Triangles within 1e-5 m (a step and a quarter of the finest grid) of a larger one's plane are laid into it, so that
 /// planes which the model means to be one are one. Triangles in one plane that are drawn from the same sides are merged
 /// across a shared edge while their union is exactly convex; nothing is ever added to what is drawn. Deterministic.
