@@ -37,10 +37,10 @@ out vec3 hw_v_baked;
 out vec3 hw_v_baked_back;
 #endif
 
-vec3 hw_vertex_luxel(int step)
+vec3 hw_vertex_luxel(int further)
 {
     int width = textureSize(hw_lightmap, 0).x;
-    int at = int(hw_lightmap_place.y) * width + int(hw_lightmap_place.x) + gl_VertexID + step;
+    int at = int(hw_lightmap_place.y) * width + int(hw_lightmap_place.x) + gl_VertexID + further;
     return texelFetch(hw_lightmap, ivec2(at % width, at / width), 0).rgb;
 }
 #endif
