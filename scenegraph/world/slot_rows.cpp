@@ -11,7 +11,7 @@ namespace hw {
 namespace {
 
 /// More triangles than this in one cluster are taken to face every way.
-constexpr std::size_t kMostFacings = 64;
+constexpr std::size_t kMostFacings = 256;
 
 /// A half-space, in front of a triangle that is drawn from its front only.
 struct Facing {

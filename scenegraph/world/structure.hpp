@@ -14,7 +14,7 @@ namespace hw {
 struct StructureOptions {
     int max_structure = 20000;
     int max_details = 40000;
-    double least_area_share = 1e-2;  ///< All that lies in one plane, of the largest side of the scene's box.
+    double least_area_share = 1.5e-2; ///< All that lies in one plane, of the largest side of the scene's box.
 };
 
 /// The polygons that partition space and block sight, snapped to the grid.
