@@ -18,6 +18,8 @@ namespace {
 using nlohmann::json;
 using Bytes = std::vector<std::byte>;
 
+constexpr std::size_t kMaxJsonBytes = 256u << 20;  // "[0,0,0..." takes ten times its size as a document
+
 constexpr const char* kParsedParts[] = {"asset", "accessors", "bufferViews", "cameras", "materials", "meshes",
                                         "nodes", "samplers",  "scene",       "scenes",  "textures"};
 
@@ -129,6 +131,9 @@ GltfModel load_gltf(const std::filesystem::path& file, const std::filesystem::pa
     GltfModel model{.file = file.string(), .json = {}, .data = {}, .resources = GltfResources(file, project_root)};
     const Bytes bytes = read_file(file, limits::kMaxFileBytes);
     const GltfParts parts = split_gltf(bytes, model.file);
+    if (parts.json.size() > kMaxJsonBytes)
+        model.refuse("", fmt::format("the JSON has {} bytes", parts.json.size()),
+                     fmt::format("at most {}", kMaxJsonBytes));
     model.json = parse_json(parts.json, model.file, JsonComments::refused);
     check_gltf(model.json, model.file);
 

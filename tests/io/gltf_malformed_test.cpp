@@ -188,6 +188,14 @@ TEST(gltf_malformed, deep_json_is_refused_without_recursion)
     }
 }
 
+TEST(gltf_malformed, a_document_of_over_256_megabytes_is_refused_unread)
+{
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("large.gltf", "{}");
+    fs::resize_file(file, 257u << 20);  // a hole: takes no space
+    EXPECT_THAT(error_of([&] { hw::import_gltf(file, folder.path()); }).what, testing::HasSubstr("269484032 bytes"));
+}
+
 TEST(gltf_malformed, an_unknown_required_extension_is_refused_by_name)
 {
     const auto parts = error_of_change("/extensionsRequired", {"KHR_texture_transform", "KHR_draco_mesh_compression"});
