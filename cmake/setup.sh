@@ -6,7 +6,7 @@ packages=(
     libglm-dev libfmt-dev libspdlog-dev libcli11-dev
     libtinygltf-dev nlohmann-json3-dev libpng-dev libjpeg62-turbo-dev zlib1g-dev
     libopenmesh-dev libtbb-dev libembree-dev
-    libgtest-dev libgmock-dev librapidcheck-dev libgmp-dev
+    libgtest-dev libgmock-dev libgmp-dev
     xvfb xauth xdotool
 )
 
