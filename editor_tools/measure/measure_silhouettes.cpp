@@ -24,7 +24,7 @@ namespace hw {
 namespace {
 
 constexpr int kRounds = 3;
-constexpr int kTrials = 1000;     // random views among which the worst are looked for
+constexpr int kTrials = 1000;  // random views among which the worst are looked for
 constexpr std::size_t kWorst = 5;
 constexpr float kNoCreases = 3.2f;
 
@@ -132,10 +132,10 @@ Subject subject_of(MeshData mesh, double offset, double scale, int view_count)
 std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant, const Viewpoint& view,
                                  SilhouetteScratch& scratch, std::vector<int>& openmesh_edges, double& ms)
 {
-    const SilhouetteOptions options{.crease_rad = kNoCreases,
-                                    .precision = variant.precision,
-                                    .method = variant.method == Method::hierarchy ? SilhouetteMethod::hierarchy
-                                                                                  : SilhouetteMethod::brute};
+    const SilhouetteOptions options{
+        .crease_rad = kNoCreases,
+        .precision = variant.precision,
+        .method = variant.method == Method::hierarchy ? SilhouetteMethod::hierarchy : SilhouetteMethod::brute};
     std::span<const std::uint32_t> edges;
     const auto start = std::chrono::steady_clock::now();
     if (variant.method == Method::brute || variant.method == Method::hierarchy)
@@ -227,8 +227,8 @@ JsonValue row_json(const Row& row)
 
 std::string row_text(const Row& row)
 {
-    return fmt::format("{:<24} {:<10} {:<6} {:>8.0e} {:>8.0e} {:>9.3f} {:>9.3f} {:>6} {:>6} {:>5} {:>9.5f}\n", row.model,
-                       row.variant.method_name, row.variant.precision_name, row.offset, row.scale,
+    return fmt::format("{:<24} {:<10} {:<6} {:>8.0e} {:>8.0e} {:>9.3f} {:>9.3f} {:>6} {:>6} {:>5} {:>9.5f}\n",
+                       row.model, row.variant.method_name, row.variant.precision_name, row.offset, row.scale,
                        quantile(row.ms, 0.5), quantile(row.ms, 0.95), row.errors.false_positives,
                        row.errors.false_negatives, row.errors.odd_vertices,
                        share(row.counters.double_stage, row.counters.faces_tested));
@@ -281,8 +281,7 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 void add_measure_silhouettes(CLI::App& measure)
 {
     auto arguments = std::make_shared<SilhouetteMeasureArguments>();
-    CLI::App* command =
-        measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
+    CLI::App* command = measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
     command->add_option("models", arguments->files, "Models or levels")->required()->option_text("GLB...");
     command->add_option("--views", arguments->views, "Views around the model; 26")->option_text("N");
     command->add_option("--offset", arguments->offsets, "Move the model; 0,1e3,1e5,1e6")

@@ -15,24 +15,40 @@ using Wide = long double;
 
 constexpr Wide kWideBound = 1e-17L;  // far above the rounding of a dozen operations with 64 bits
 
-Rational3 rational(const glm::vec3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
+Rational3 rational(const glm::vec3& p)
+{
+    return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)};
+}
 
-Rational3 minus(const Rational3& a, const Rational3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Rational3 minus(const Rational3& a, const Rational3& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 Rational3 cross(const Rational3& a, const Rational3& b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-mpq_class dot(const Rational3& a, const Rational3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+mpq_class dot(const Rational3& a, const Rational3& b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
-OracleEdge edge_of(std::uint32_t u, std::uint32_t v) { return {std::min(u, v), std::max(u, v)}; }
+OracleEdge edge_of(std::uint32_t u, std::uint32_t v)
+{
+    return {std::min(u, v), std::max(u, v)};
+}
 
 /// Side vectors of a face in long doubles.
 struct WideSides {
     Wide px, py, pz, qx, qy, qz;
     WideSides(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
-        : px(Wide(b.x) - a.x), py(Wide(b.y) - a.y), pz(Wide(b.z) - a.z), qx(Wide(c.x) - a.x), qy(Wide(c.y) - a.y),
+        : px(Wide(b.x) - a.x),
+          py(Wide(b.y) - a.y),
+          pz(Wide(b.z) - a.z),
+          qx(Wide(c.x) - a.x),
+          qy(Wide(c.y) - a.y),
           qz(Wide(c.z) - a.z)
     {
     }
@@ -71,7 +87,8 @@ SilhouetteOracle::SilhouetteOracle(std::span<const glm::vec3> positions,
 
 bool SilhouetteOracle::is_collinear(std::uint32_t face) const
 {
-    const glm::vec3 &a = positions_[faces_[face][0]], &b = positions_[faces_[face][1]], &c = positions_[faces_[face][2]];
+    const glm::vec3 &a = positions_[faces_[face][0]], &b = positions_[faces_[face][1]],
+                    &c = positions_[faces_[face][2]];
     const WideSides s(a, b, c);
     const Wide terms[3][2] = {{s.py * s.qz, s.pz * s.qy}, {s.pz * s.qx, s.px * s.qz}, {s.px * s.qy, s.py * s.qx}};
     for (const auto& [left, right] : terms) {
@@ -100,12 +117,13 @@ int SilhouetteOracle::longest_side(std::uint32_t face) const
 
 int SilhouetteOracle::sign(std::uint32_t face, const glm::dvec3& eye, double w) const
 {
-    const glm::vec3 &a = positions_[faces_[face][0]], &b = positions_[faces_[face][1]], &c = positions_[faces_[face][2]];
+    const glm::vec3 &a = positions_[faces_[face][0]], &b = positions_[faces_[face][1]],
+                    &c = positions_[faces_[face][2]];
     if (arithmetic_ == Arithmetic::filtered) {
         const WideSides s(a, b, c);
         const Wide ex = eye.x - w * Wide(a.x), ey = eye.y - w * Wide(a.y), ez = eye.z - w * Wide(a.z);
-        const Wide value = ex * (s.py * s.qz - s.pz * s.qy) + ey * (s.pz * s.qx - s.px * s.qz) +
-                           ez * (s.px * s.qy - s.py * s.qx);
+        const Wide value =
+            ex * (s.py * s.qz - s.pz * s.qy) + ey * (s.pz * s.qx - s.px * s.qz) + ez * (s.px * s.qy - s.py * s.qx);
         const Wide size = std::abs(ex) * (std::abs(s.py * s.qz) + std::abs(s.pz * s.qy)) +
                           std::abs(ey) * (std::abs(s.pz * s.qx) + std::abs(s.px * s.qz)) +
                           std::abs(ez) * (std::abs(s.px * s.qy) + std::abs(s.py * s.qx));

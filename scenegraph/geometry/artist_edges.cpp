@@ -80,8 +80,8 @@ void mark_named_edges(std::vector<InnerEdge>& edges, const MeshData& mesh,
 {
     std::vector<std::uint64_t> named;
     for (std::size_t i = 0; i + 1 < mesh.artist_edges.size(); i += 2) {
-        named.push_back(edge_key(position_of_vertex[mesh.artist_edges[i]],
-                                 position_of_vertex[mesh.artist_edges[i + 1]]));
+        named.push_back(
+            edge_key(position_of_vertex[mesh.artist_edges[i]], position_of_vertex[mesh.artist_edges[i + 1]]));
     }
     std::sort(named.begin(), named.end());
     for (InnerEdge& edge : edges) {

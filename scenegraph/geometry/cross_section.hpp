@@ -6,9 +6,9 @@ namespace hw {
 
 /// A face that ends at a line, seen along the line.
 struct FaceAtLine {
-    double angle_rad = 0.0;          ///< Of the direction in which the face leaves the line.
-    bool looks_ccw = false;          ///< Its front is on the side of rising angles.
-    bool looks_cw = false;           ///< ... of falling angles; a double-sided face looks both ways.
+    double angle_rad = 0.0;  ///< Of the direction in which the face leaves the line.
+    bool looks_ccw = false;  ///< Its front is on the side of rising angles.
+    bool looks_cw = false;   ///< ... of falling angles; a double-sided face looks both ways.
 };
 
 /// Whether somebody outside of the solids sees no fold and no end of the surface at the line: every sector that is open

@@ -36,10 +36,9 @@ std::vector<EdgeUse> sorted_edge_uses(std::span<const FaceCorners> faces)
     std::vector<std::uint32_t> bucket_begin;
     std::vector<EdgeUse> uses = bucketed_by_low(faces, bucket_begin);
     for (std::size_t bucket = 0; bucket + 1 < bucket_begin.size(); ++bucket) {
-        std::sort(uses.begin() + bucket_begin[bucket], uses.begin() + bucket_begin[bucket + 1],
-                  [](const EdgeUse& a, const EdgeUse& b) {
-                      return a.high != b.high ? a.high < b.high : a.face < b.face;
-                  });
+        std::sort(
+            uses.begin() + bucket_begin[bucket], uses.begin() + bucket_begin[bucket + 1],
+            [](const EdgeUse& a, const EdgeUse& b) { return a.high != b.high ? a.high < b.high : a.face < b.face; });
     }
     return uses;
 }

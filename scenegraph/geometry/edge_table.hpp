@@ -6,8 +6,8 @@
 
 namespace hw {
 
-/// What an edge can add to a line drawing, decided before any view is known. In all groups but the first, edges stand by
-/// falling fold, so that the creases of any crease angle are the beginnings of these groups.
+/// What an edge can add to a line drawing, decided before any view is known. In all groups but the first, edges stand
+/// by falling fold, so that the creases of any crease angle are the beginnings of these groups.
 enum class EdgeGroup : std::uint8_t {
     border,         ///< One face, or more than two: drawn from every viewpoint.
     artist_convex,  ///< Two faces, marked by the artist or by split normals: drawn from every viewpoint.
@@ -31,8 +31,8 @@ inline constexpr std::uint32_t kNoFace = 0xffffffffu;
 /// All edges of a surface. An edge id is a place in this table. 16 bytes an edge.
 struct EdgeTable {
     std::vector<std::array<std::uint32_t, 2>> vertices;  ///< Into Surface::positions, in the direction of face A.
-    /// Faces A and B. B of a border of one face is kNoFace; complex edges name their first two. Where the surface cannot
-    /// be oriented, B is a reversed twin of the face (an index past Surface::faces, see FacingFilter).
+    /// Faces A and B. B of a border of one face is kNoFace; complex edges name their first two. Where the surface
+    /// cannot be oriented, B is a reversed twin of the face (an index past Surface::faces, see FacingFilter).
     std::vector<std::array<std::uint32_t, 2>> faces;
     std::array<std::uint32_t, kEdgeGroupCount + 1> group_begin{};  ///< group_begin[g] .. group_begin[g + 1]
 

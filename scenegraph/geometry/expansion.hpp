@@ -6,9 +6,9 @@
 namespace hw {
 
 /// An exact sum of doubles that do not overlap, smallest first, zeros left out. The basis of the exact predicates.
-/// Exact while no product underflows or overflows. Needs strict IEEE arithmetic: include only from files that are compiled
-/// without contraction of multiplications and additions.
-/// Source: Shewchuk. Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates. 1997.
+/// Exact while no product underflows or overflows. Needs strict IEEE arithmetic: include only from files that are
+/// compiled without contraction of multiplications and additions. Source: Shewchuk. Adaptive Precision Floating-Point
+/// Arithmetic and Fast Robust Geometric Predicates. 1997.
 template <std::size_t Capacity>
 struct Expansion {
     std::array<double, Capacity> terms;

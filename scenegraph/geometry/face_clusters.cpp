@@ -1,8 +1,8 @@
-// A cluster is front-facing as a whole when v . axis > sin(cone) |v| + r, where v goes from the middle of its ball to the
-// eye, r is the ball's radius and the cone holds all normals: with f the angle of v above the plane across the axis, each
-// normal makes sin(f - cone) >= sin f - sin(cone) with it, and each corner is at most r nearer. The same with the sign
-// turned is back-facing. Unlike a test by angles this has no singularity at the middle of the ball; the form is that of
-// meshoptimizer's documentation.
+// A cluster is front-facing as a whole when v . axis > sin(cone) |v| + r, where v goes from the middle of its ball to
+// the eye, r is the ball's radius and the cone holds all normals: with f the angle of v above the plane across the
+// axis, each normal makes sin(f - cone) >= sin f - sin(cone) with it, and each corner is at most r nearer. The same
+// with the sign turned is back-facing. Unlike a test by angles this has no singularity at the middle of the ball; the
+// form is that of meshoptimizer's documentation.
 #include "geometry/face_clusters.hpp"
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 namespace hw {
 namespace {
 
-constexpr double kSineSlack = 8e-6;    // normals known to 1e-6, axis and products rounded to floats: under 4e-6 together
-constexpr float kBallSlack = 4e-6f;    // the eye and the middle rounded to floats, in sizes of the mesh
-constexpr double kSharpest = 1e-9;     // sine of a corner below which doubles do not tell a normal to 1e-6
+constexpr double kSineSlack = 8e-6;  // normals known to 1e-6, axis and products rounded to floats: under 4e-6 together
+constexpr float kBallSlack = 4e-6f;  // the eye and the middle rounded to floats, in sizes of the mesh
+constexpr double kSharpest = 1e-9;   // sine of a corner below which doubles do not tell a normal to 1e-6
 constexpr float kNeverUniform = 4.0f;  // a sine that no cluster reaches
 
 std::uint64_t spread(std::uint64_t x)
@@ -35,7 +35,8 @@ glm::dvec3 sure_normal(const Surface& surface, std::uint32_t face)
 {
     const auto& corners = surface.faces[face];
     const glm::dvec3 a = surface.positions[corners[0]];
-    const glm::dvec3 p = glm::dvec3(surface.positions[corners[1]]) - a, q = glm::dvec3(surface.positions[corners[2]]) - a;
+    const glm::dvec3 p = glm::dvec3(surface.positions[corners[1]]) - a,
+                     q = glm::dvec3(surface.positions[corners[2]]) - a;
     const glm::dvec3 normal = glm::cross(p, q);
     const double length = glm::length(normal);
     const bool is_sure = length > kSharpest * glm::length(p) * glm::length(q) && length > 1e-280;
@@ -58,7 +59,8 @@ std::vector<std::uint32_t> spatial_order(std::span<const glm::vec3> positions,
     std::vector<Place> places(faces.size());
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
         const auto& [a, b, c] = faces[face];
-        const glm::dvec3 centre = (glm::dvec3(positions[a]) + glm::dvec3(positions[b]) + glm::dvec3(positions[c])) / 3.0;
+        const glm::dvec3 centre =
+            (glm::dvec3(positions[a]) + glm::dvec3(positions[b]) + glm::dvec3(positions[c])) / 3.0;
         const glm::dvec3 cell = (centre - box.min) / largest * 2097151.0;
         places[face] = {spread(static_cast<std::uint64_t>(cell.x)) | spread(static_cast<std::uint64_t>(cell.y)) << 1 |
                             spread(static_cast<std::uint64_t>(cell.z)) << 2,
@@ -145,8 +147,8 @@ void FaceClusters::sort_edges(const Surface& surface)
         }
         const auto [a, b] = surface.edges.faces[p.edge];
         edges_.push_back(p.edge);
-        edge_faces_.push_back({static_cast<std::uint8_t>(std::min(a, b) % kFaces),
-                               static_cast<std::uint8_t>(std::max(a, b) % kFaces)});
+        edge_faces_.push_back(
+            {static_cast<std::uint8_t>(std::min(a, b) % kFaces), static_cast<std::uint8_t>(std::max(a, b) % kFaces)});
         links_.back().end = at + 1;
     }
     for (std::size_t i = 1; i < first_link_.size(); ++i) first_link_[i] += first_link_[i - 1];
@@ -173,8 +175,8 @@ std::size_t FaceClusters::bytes() const
 {
     return 8 * (cluster_bounds_[0].size() + group_bounds_[0].size()) * sizeof(float) + links_.size() * sizeof(Link) +
            edge_faces_.size() * sizeof(edge_faces_[0]) +
-           (edges_.size() + first_link_.size() + loose_edges_.size() + group_links_.size() +
-            first_group_link_.size()) * sizeof(std::uint32_t);
+           (edges_.size() + first_link_.size() + loose_edges_.size() + group_links_.size() + first_group_link_.size()) *
+               sizeof(std::uint32_t);
 }
 
 /// The eye in the space of the bounds.
@@ -198,8 +200,7 @@ void FaceClusters::decide_run(const Bounds& bounds, const Query& query, std::uin
     }
 }
 
-void FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> groups,
-                          std::span<Facing> clusters) const
+void FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> groups, std::span<Facing> clusters) const
 {
     const bool is_direction = viewpoint_object.is_orthographic;
     const glm::dvec3 eye = is_direction ? viewpoint_object.eye : (viewpoint_object.eye - centre_) * scale_;

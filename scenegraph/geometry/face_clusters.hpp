@@ -17,9 +17,9 @@ std::vector<std::uint32_t> spatial_order(std::span<const glm::vec3> positions,
                                          std::span<const std::array<std::uint32_t, 3>> faces);
 
 /// Faces in clusters of 32 consecutive numbers, each with a ball around it and a cone around its normals: most clusters
-/// look at the viewer, or away, as a whole, and then none of their faces and inner edges need be looked at. The same again
-/// with groups of 32 clusters, so that far from the contour not even clusters are looked at.
-/// 6 bytes an edge and about 3 bytes a face.
+/// look at the viewer, or away, as a whole, and then none of their faces and inner edges need be looked at. The same
+/// again with groups of 32 clusters, so that far from the contour not even clusters are looked at. 6 bytes an edge and
+/// about 3 bytes a face.
 class FaceClusters {
  public:
     static constexpr std::uint32_t kFaces = 32;
@@ -53,12 +53,11 @@ class FaceClusters {
     /// The groups of higher number that links of a group's clusters lead to.
     std::span<const std::uint32_t> group_links(std::uint32_t group) const
     {
-        return {group_links_.data() + first_group_link_[group],
-                group_links_.data() + first_group_link_[group + 1]};
+        return {group_links_.data() + first_group_link_[group], group_links_.data() + first_group_link_[group + 1]};
     }
     std::span<const std::uint32_t> edges() const { return edges_; }
-    /// For each of them its face in the cluster and its face in the link's other cluster, counted from their first: small
-    /// enough to stream through, where the edge table would have to be looked up here and there.
+    /// For each of them its face in the cluster and its face in the link's other cluster, counted from their first:
+    /// small enough to stream through, where the edge table would have to be looked up here and there.
     std::span<const std::array<std::uint8_t, 2>> edge_faces() const { return edge_faces_; }
     /// Edges at faces turned over: to be looked at one by one.
     std::span<const std::uint32_t> loose_edges() const { return loose_edges_; }

@@ -1,6 +1,6 @@
-// The proof of the bound. Unit: anchor steps for lengths, 1/32767 for normals. A face has unit normal n and corner p; the
-// filter knows N = round(32767 n) and P = round((p - c) / h), and tests s = N . (E - P) with E = (eye - c) / h against
-// t = 32767 n . ((eye - p) / h), whose sign is the facing. With D = E - P, u = 2^-24:
+// The proof of the bound. Unit: anchor steps for lengths, 1/32767 for normals. A face has unit normal n and corner p;
+// the filter knows N = round(32767 n) and P = round((p - c) / h), and tests s = N . (E - P) with E = (eye - c) / h
+// against t = 32767 n . ((eye - p) / h), whose sign is the facing. With D = E - P, u = 2^-24:
 //   |N - 32767 n| <= sqrt(3)/2 + 0.07      rounding, and the normal itself from doubles to a relative 2e-6 (else N = 0)
 //   |P - (p - c) / h| <= sqrt(3)/2 + 0.001  rounding, and the doubles before it
 //   |s - N . D| <= 6 u |N| |D| < 0.013 |D|  three products, two sums, the difference and E rounded to floats

@@ -36,15 +36,15 @@ class FacingFilter {
 
     /// A viewpoint as the filter needs it.
     struct Query {
-        glm::vec3 eye{0.0f};          ///< In steps from the middle of the mesh; a direction for orthographic views.
-        float anchor_weight = 1.0f;   ///< 0 for orthographic views, whose faces need no anchor.
-        float bound = 0.0f;           ///< What is farther from 0 is certain.
+        glm::vec3 eye{0.0f};         ///< In steps from the middle of the mesh; a direction for orthographic views.
+        float anchor_weight = 1.0f;  ///< 0 for orthographic views, whose faces need no anchor.
+        float bound = 0.0f;          ///< What is farther from 0 is certain.
     };
     Query query(const Viewpoint& viewpoint_object) const;
 
-    /// Decides the faces of some blocks: facing[f] becomes 1 where the viewer is for certain on the outer side of face f,
-    /// else 0. Faces that the filter cannot decide are appended to `open_faces` at `open_count`, which is returned raised.
-    /// Both have room for all faces, rounded up to blocks.
+    /// Decides the faces of some blocks: facing[f] becomes 1 where the viewer is for certain on the outer side of face
+    /// f, else 0. Faces that the filter cannot decide are appended to `open_faces` at `open_count`, which is returned
+    /// raised. Both have room for all faces, rounded up to blocks.
     std::uint32_t decide(const Query& query, std::uint32_t first_block, std::uint32_t block_count,
                          std::span<std::uint8_t> facing, std::span<std::uint32_t> open_faces,
                          std::uint32_t open_count) const;
@@ -56,9 +56,9 @@ class FacingFilter {
  private:
     std::uint32_t face_count_ = 0;
     glm::dvec3 centre_{0.0};
-    double step_ = 1.0;                                 // object units of one step of `anchor_`
-    std::array<std::vector<std::int16_t>, 3> normal_;   // unit normals in steps of 1 / 32767; zero: never decided
-    std::array<std::vector<std::int16_t>, 3> anchor_;   // a corner, from centre_ in steps
+    double step_ = 1.0;                                // object units of one step of `anchor_`
+    std::array<std::vector<std::int16_t>, 3> normal_;  // unit normals in steps of 1 / 32767; zero: never decided
+    std::array<std::vector<std::int16_t>, 3> anchor_;  // a corner, from centre_ in steps
 };
 
 }  // namespace hw

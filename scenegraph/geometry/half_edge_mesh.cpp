@@ -53,10 +53,22 @@ HalfEdgeMesh::~HalfEdgeMesh() = default;
 HalfEdgeMesh::HalfEdgeMesh(HalfEdgeMesh&&) noexcept = default;
 HalfEdgeMesh& HalfEdgeMesh::operator=(HalfEdgeMesh&&) noexcept = default;
 
-std::uint32_t HalfEdgeMesh::face_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_faces()); }
-std::uint32_t HalfEdgeMesh::vertex_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_vertices()); }
-std::uint32_t HalfEdgeMesh::edge_count() const { return static_cast<std::uint32_t>(mesh_->tri.n_edges()); }
-std::uint32_t HalfEdgeMesh::duplicated_vertices() const { return vertex_count() - mesh_->surface_positions; }
+std::uint32_t HalfEdgeMesh::face_count() const
+{
+    return static_cast<std::uint32_t>(mesh_->tri.n_faces());
+}
+std::uint32_t HalfEdgeMesh::vertex_count() const
+{
+    return static_cast<std::uint32_t>(mesh_->tri.n_vertices());
+}
+std::uint32_t HalfEdgeMesh::edge_count() const
+{
+    return static_cast<std::uint32_t>(mesh_->tri.n_edges());
+}
+std::uint32_t HalfEdgeMesh::duplicated_vertices() const
+{
+    return vertex_count() - mesh_->surface_positions;
+}
 
 std::array<std::uint32_t, 2> HalfEdgeMesh::edge_ends(int edge) const
 {

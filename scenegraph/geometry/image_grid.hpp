@@ -55,7 +55,9 @@ class ImageGrid {
 };
 
 inline ImageGrid::ImageGrid(glm::dvec2 size_px, double cell_px)
-    : size_px_(size_px), cell_px_(cell_px), columns_(static_cast<std::uint32_t>(std::ceil(size_px.x / cell_px))),
+    : size_px_(size_px),
+      cell_px_(cell_px),
+      columns_(static_cast<std::uint32_t>(std::ceil(size_px.x / cell_px))),
       rows_(static_cast<std::uint32_t>(std::ceil(size_px.y / cell_px)))
 {
 }

@@ -15,7 +15,8 @@ void append_if_seen(const std::array<ImagePoint, 3>& corners, std::uint32_t face
 }  // namespace
 
 ImageSpace::ImageSpace(const LineCamera& camera)
-    : centre_(0.5 * glm::dvec2(camera.size_px)), focal_px_(centre_.y / std::tan(0.5 * camera.fov_rad)),
+    : centre_(0.5 * glm::dvec2(camera.size_px)),
+      focal_px_(centre_.y / std::tan(0.5 * camera.fov_rad)),
       near_m_(camera.near_m)
 {
     const glm::dvec3 forward = glm::normalize(camera.target_world - camera.eye_world);

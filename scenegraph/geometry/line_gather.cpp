@@ -143,7 +143,10 @@ class Gathering {
         if (!object_->seams) return;
         const glm::dmat4 view_from_object = space_.view_from_world() * object_->world_from_object;
         for (const auto& [from, to] : object_->seams->kept) {
-            drawing.lines.push_back({index_, VisibleLineClass::border, {kFreeEnd, kFreeEnd}, {kNoFace, kNoFace},
+            drawing.lines.push_back({index_,
+                                     VisibleLineClass::border,
+                                     {kFreeEnd, kFreeEnd},
+                                     {kNoFace, kNoFace},
                                      glm::dvec3(view_from_object * glm::dvec4(from, 1.0)),
                                      glm::dvec3(view_from_object * glm::dvec4(to, 1.0))});
         }

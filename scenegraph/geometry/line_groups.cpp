@@ -1,5 +1,5 @@
-// Of two segments that overlap, one has an end on the other. So every segment is strewn into cells along its length, and
-// every end asks its neighbourhood for the segments that it lies on.
+// Of two segments that overlap, one has an end on the other. So every segment is strewn into cells along its length,
+// and every end asks its neighbourhood for the segments that it lies on.
 #include "geometry/line_groups.hpp"
 
 #include <algorithm>
@@ -13,7 +13,10 @@ namespace {
 constexpr double kDriftPerLength = 1e-6;  // lines of rounded ends turn a little
 constexpr std::uint32_t kMostSamples = 4096;
 
-double length_of(const Segment& segment) { return glm::distance(segment.from, segment.to); }
+double length_of(const Segment& segment)
+{
+    return glm::distance(segment.from, segment.to);
+}
 
 double distance_to(const glm::dvec3& point, const Segment& segment)
 {
@@ -125,7 +128,8 @@ class LineGroups {
         }
     }
 
-    /// Short segments around a curve are pairwise on one line and yet not all: only what lies on the longest is a group.
+    /// Short segments around a curve are pairwise on one line and yet not all: only what lies on the longest is a
+    /// group.
     void split_into_lines(std::vector<std::uint32_t> members, std::vector<std::vector<std::uint32_t>>& groups) const
     {
         while (members.size() > 1) {

@@ -1,5 +1,6 @@
-// Determinants are formed from coordinate differences, never from n.e + d: at an offset of 1e5 the plane form loses more
-// digits than a mesh has. The file is compiled without contraction: a fused multiply-add would break two_product's tail.
+// Determinants are formed from coordinate differences, never from n.e + d: at an offset of 1e5 the plane form loses
+// more digits than a mesh has. The file is compiled without contraction: a fused multiply-add would break two_product's
+// tail.
 #include "geometry/predicates.hpp"
 
 #include <cmath>
@@ -20,7 +21,10 @@ struct Filtered {
     double bound;
 };
 
-int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
+int sign_of(double x)
+{
+    return (x > 0.0) - (x < 0.0);
+}
 
 /// p x q . r in doubles, with the sum of magnitudes that scales its error.
 Filtered triple_product(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r)
@@ -28,9 +32,9 @@ Filtered triple_product(const glm::dvec3& p, const glm::dvec3& q, const glm::dve
     const double yz = p.y * q.z, zy = p.z * q.y;
     const double zx = p.z * q.x, xz = p.x * q.z;
     const double xy = p.x * q.y, yx = p.y * q.x;
-    return {r.x * (yz - zy) + r.y * (zx - xz) + r.z * (xy - yx),
-            std::abs(r.x) * (std::abs(yz) + std::abs(zy)) + std::abs(r.y) * (std::abs(zx) + std::abs(xz)) +
-                std::abs(r.z) * (std::abs(xy) + std::abs(yx))};
+    return {r.x * (yz - zy) + r.y * (zx - xz) + r.z * (xy - yx), std::abs(r.x) * (std::abs(yz) + std::abs(zy)) +
+                                                                     std::abs(r.y) * (std::abs(zx) + std::abs(xz)) +
+                                                                     std::abs(r.z) * (std::abs(xy) + std::abs(yx))};
 }
 
 using Difference = Expansion<2>;

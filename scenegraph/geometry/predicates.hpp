@@ -6,10 +6,10 @@
 
 namespace hw {
 
-/// The exact sign of the determinant (b - a) x (c - a) . (d - a): +1 when d lies on the side of the plane abc from which
-/// a, b, c turn counter-clockwise, -1 on the other side, 0 when the four points are coplanar.
-/// Coordinates: 0 or of magnitude in [1e-60, 1e60].
-/// Source: Shewchuk. Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates. 1997.
+/// The exact sign of the determinant (b - a) x (c - a) . (d - a): +1 when d lies on the side of the plane abc from
+/// which a, b, c turn counter-clockwise, -1 on the other side, 0 when the four points are coplanar. Coordinates: 0 or
+/// of magnitude in [1e-60, 1e60]. Source: Shewchuk. Adaptive Precision Floating-Point Arithmetic and Fast Robust
+/// Geometric Predicates. 1997.
 int orient3d_sign(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
 /// The exact sign of (b - a) x (c - a) . direction, same conditions.

@@ -143,7 +143,7 @@ class SeamSearch {
     {
         const glm::dvec3 u = glm::normalize(axis.to - axis.from);
         const glm::dvec3 x = glm::normalize(std::abs(u.y) < 0.9 ? glm::cross(u, glm::dvec3(0, 1, 0))
-                                                               : glm::cross(u, glm::dvec3(1, 0, 0)));
+                                                                : glm::cross(u, glm::dvec3(1, 0, 0)));
         const glm::dvec3 y = glm::cross(u, x);
         const SeamLine& l = lines_[line];
         const SeamObject& object = objects_[l.object];
@@ -245,8 +245,8 @@ class SeamSearch {
         const auto [a, b] = surface.edges.vertices[lines_[line].edge];
         const glm::dvec3 from = surface.positions[a], to = surface.positions[b];
         for (const Interval& piece : kept) {
-            seams.kept.push_back({glm::vec3(glm::mix(from, to, piece.from / whole)),
-                                  glm::vec3(glm::mix(from, to, piece.to / whole))});
+            seams.kept.push_back(
+                {glm::vec3(glm::mix(from, to, piece.from / whole)), glm::vec3(glm::mix(from, to, piece.to / whole))});
         }
     }
 

@@ -1,6 +1,6 @@
 // Only clusters that the cones leave open have their faces looked at, and only where those then differ are edges looked
-// at: edges cost more than faces, which are decided eight at a time. Edges between a cluster that looks at the viewer as a whole
-// and one that looks away need the bytes of their faces too; those are then filled in from the cluster.
+// at: edges cost more than faces, which are decided eight at a time. Edges between a cluster that looks at the viewer
+// as a whole and one that looks away need the bytes of their faces too; those are then filled in from the cluster.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -19,8 +19,12 @@ constexpr std::uint32_t kBlocks = FaceClusters::kFaces / FacingFilter::kBlock;
 class ClusterSearch {
  public:
     ClusterSearch(const SilhouetteSearch& search, SilhouetteScratch& scratch)
-        : search_(search), surface_(search.surface), clusters_(search.surface.clusters), scratch_(scratch),
-          first_(search.ranges[0]), second_(search.ranges.size() > 1 ? search.ranges[1] : EdgeRange{})
+        : search_(search),
+          surface_(search.surface),
+          clusters_(search.surface.clusters),
+          scratch_(scratch),
+          first_(search.ranges[0]),
+          second_(search.ranges.size() > 1 ? search.ranges[1] : EdgeRange{})
     {
         HW_ASSERT(search.ranges.size() <= 2);
         const FacingFilter& filter = surface_.filter;
@@ -51,9 +55,8 @@ class ClusterSearch {
     {
         const Facing own = scratch_.groups[group];
         const auto others = clusters_.group_links(group);
-        return own != Facing::mixed && std::all_of(others.begin(), others.end(), [&](std::uint32_t other) {
-                   return scratch_.groups[other] == own;
-               });
+        return own != Facing::mixed && std::all_of(others.begin(), others.end(),
+                                                   [&](std::uint32_t other) { return scratch_.groups[other] == own; });
     }
 
     void test_links(std::uint32_t cluster)

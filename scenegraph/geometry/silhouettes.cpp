@@ -30,8 +30,8 @@ void decide_rounded(const Surface& surface, const Viewpoint& viewpoint, std::vec
     }
 }
 
-/// Edges of [range.begin, range.end) whose faces differ, appended to scratch.edges from `count` on. Four at a time: where
-/// none differs, the most common case by far, nothing is written.
+/// Edges of [range.begin, range.end) whose faces differ, appended to scratch.edges from `count` on. Four at a time:
+/// where none differs, the most common case by far, nothing is written.
 std::uint32_t append_differing(const Surface& surface, EdgeRange range, SilhouetteScratch& scratch, std::uint32_t count)
 {
     const std::uint8_t* const facing = scratch.facing.data();
@@ -148,8 +148,7 @@ void find_facing(const Surface& surface, const Viewpoint& viewpoint_object, Faci
         scratch.facing[entry.face] = entry.source != kNoFace && is_front_facing(scratch, entry.source);
     }
     for (std::uint32_t twin = 0; twin < filter.twins.size(); ++twin) {
-        scratch.facing[surface.faces.size() + twin] =
-            is_twin_facing(surface, twin, viewpoint_object, scratch.counters);
+        scratch.facing[surface.faces.size() + twin] = is_twin_facing(surface, twin, viewpoint_object, scratch.counters);
     }
     scratch.counters.faces_tested += surface.faces.size();
 }

@@ -12,9 +12,9 @@ namespace hw {
 /// How facing is decided. `exact` is certified; the other two exist to report what certainty costs.
 enum class FacingPrecision : std::uint8_t { exact, single_only, double_only };
 
-/// `brute` looks at every face and edge, `hierarchy` only into clusters of faces that the contour may pass through, which
-/// needs the exact precision and a surface that has clusters. `automatic` takes the hierarchy where there is one: it pays on
-/// fine meshes only, since deciding a face by brute force takes a quarter of a nanosecond.
+/// `brute` looks at every face and edge, `hierarchy` only into clusters of faces that the contour may pass through,
+/// which needs the exact precision and a surface that has clusters. `automatic` takes the hierarchy where there is one:
+/// it pays on fine meshes only, since deciding a face by brute force takes a quarter of a nanosecond.
 enum class SilhouetteMethod : std::uint8_t { automatic, brute, hierarchy };
 
 struct SilhouetteOptions {
@@ -27,8 +27,8 @@ struct SilhouetteOptions {
 struct SilhouetteCounters {
     std::uint64_t objects_without_work = 0;  ///< No candidates: nothing was computed.
     std::uint64_t faces_tested = 0;
-    std::uint64_t double_stage = 0;          ///< Faces that the float filter left open.
-    std::uint64_t exact_stage = 0;           ///< Faces that doubles left open.
+    std::uint64_t double_stage = 0;  ///< Faces that the float filter left open.
+    std::uint64_t exact_stage = 0;   ///< Faces that doubles left open.
     std::uint64_t edges_tested = 0;
     std::uint64_t edges_found = 0;
 };
@@ -54,8 +54,8 @@ inline bool is_front_facing(const SilhouetteScratch& scratch, std::uint32_t face
     return scratch.facing[face] != 0;
 }
 
-/// Every edge of exactly two faces that differ in facing, whatever its group. Each once, in an order that depends on the
-/// method alone; ids rise by brute force. The span lives in `scratch` until its next use.
+/// Every edge of exactly two faces that differ in facing, whatever its group. Each once, in an order that depends on
+/// the method alone; ids rise by brute force. The span lives in `scratch` until its next use.
 std::span<const std::uint32_t> all_silhouettes(const Surface& surface, const Viewpoint& viewpoint_object,
                                                const SilhouetteOptions& options, SilhouetteScratch& scratch);
 

@@ -17,7 +17,9 @@ struct BorderEdge {
 /// Positions on borders by cells as large as the tolerance, so that everything near lies in 27 cells.
 class PositionGrid {
  public:
-    PositionGrid(std::span<const glm::vec3> positions, float tolerance) : positions_(positions), tolerance_(tolerance) {}
+    PositionGrid(std::span<const glm::vec3> positions, float tolerance) : positions_(positions), tolerance_(tolerance)
+    {
+    }
 
     void add(std::uint32_t id) { cells_[key(cell_of(positions_[id]))].push_back(id); }
 

@@ -250,7 +250,10 @@ class SurfaceBuild {
 
 }  // namespace
 
-Surface build_surface(const MeshData& mesh, const SurfaceOptions& options) { return SurfaceBuild(mesh, options).run(); }
+Surface build_surface(const MeshData& mesh, const SurfaceOptions& options)
+{
+    return SurfaceBuild(mesh, options).run();
+}
 
 std::size_t edge_bytes(const Surface& surface)
 {

@@ -27,18 +27,18 @@ struct SurfaceOptions {
 /// What the making of a surface found and repaired, for `hatchway info`.
 struct SurfaceReport {
     std::uint32_t triangles_in = 0;
-    std::uint32_t removed_faces = 0;          ///< Two equal corners.
-    std::uint32_t collinear_faces = 0;        ///< Kept in the topology, never drawn.
-    std::uint32_t flipped_faces = 0;          ///< The minority of an inconsistently wound component.
-    std::uint32_t inconsistent_edges = 0;     ///< Left after the repair: the surface cannot be oriented (Moebius).
-    std::uint32_t border_edges = 0;           ///< One face.
-    std::uint32_t complex_edges = 0;          ///< More than two faces.
-    std::uint32_t stitched_edges = 0;         ///< Pairs of borders that became one edge.
+    std::uint32_t removed_faces = 0;       ///< Two equal corners.
+    std::uint32_t collinear_faces = 0;     ///< Kept in the topology, never drawn.
+    std::uint32_t flipped_faces = 0;       ///< The minority of an inconsistently wound component.
+    std::uint32_t inconsistent_edges = 0;  ///< Left after the repair: the surface cannot be oriented (Moebius).
+    std::uint32_t border_edges = 0;        ///< One face.
+    std::uint32_t complex_edges = 0;       ///< More than two faces.
+    std::uint32_t stitched_edges = 0;      ///< Pairs of borders that became one edge.
     std::uint32_t artist_edges = 0;
-    std::uint32_t components = 0;             ///< Connected over edges of exactly two faces.
-    std::uint32_t closed_components = 0;      ///< Neither borders nor complex edges, consistently wound.
-    std::uint32_t inward_components = 0;      ///< Closed and facing inward: rooms. Never flipped.
-    std::uint32_t reflex_rule_components = 0; ///< Have the right to leave reflex edges out.
+    std::uint32_t components = 0;              ///< Connected over edges of exactly two faces.
+    std::uint32_t closed_components = 0;       ///< Neither borders nor complex edges, consistently wound.
+    std::uint32_t inward_components = 0;       ///< Closed and facing inward: rooms. Never flipped.
+    std::uint32_t reflex_rule_components = 0;  ///< Have the right to leave reflex edges out.
 };
 
 /// A piece of the surface, connected over edges of exactly two faces.
@@ -51,15 +51,15 @@ struct SurfaceComponent {
 
 /// A mesh with its adjacency, in object space: what outlines are found on. Plain data, made once by build_surface().
 struct Surface {
-    std::vector<glm::vec3> positions;                  ///< Welded; no two are equal.
+    std::vector<glm::vec3> positions;  ///< Welded; no two are equal.
     /// Into `positions`, winding repaired, collinear faces included. In spatial order.
     std::vector<std::array<std::uint32_t, 3>> faces;
-    std::vector<std::uint32_t> face_triangle;          ///< The triangle of the MeshData that a face came from.
-    std::vector<std::uint32_t> face_component;         ///< Into `components`.
+    std::vector<std::uint32_t> face_triangle;   ///< The triangle of the MeshData that a face came from.
+    std::vector<std::uint32_t> face_component;  ///< Into `components`.
     std::vector<SurfaceComponent> components;
     EdgeTable edges;
     FacingFilter filter;
-    FaceClusters clusters;                             ///< Empty for surfaces so small that they would not pay.
+    FaceClusters clusters;  ///< Empty for surfaces so small that they would not pay.
     SurfaceReport report;
 };
 

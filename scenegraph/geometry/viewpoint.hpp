@@ -11,9 +11,9 @@ struct Viewpoint {
     bool is_orthographic = false;  ///< `eye` is a direction.
 };
 
-/// The same viewpoint in the space of an object. This rounded value is *the* eye: every facing decision is exact for it.
-/// Components under 1e-60 in magnitude become zero, so that the exact predicates cannot underflow.
-/// A matrix that cannot be inverted gives the zero vector: then every face is back-facing or decided from the origin.
+/// The same viewpoint in the space of an object. This rounded value is *the* eye: every facing decision is exact for
+/// it. Components under 1e-60 in magnitude become zero, so that the exact predicates cannot underflow. A matrix that
+/// cannot be inverted gives the zero vector: then every face is back-facing or decided from the origin.
 Viewpoint in_object(const Viewpoint& world, const glm::dmat4& world_from_object);
 
 }  // namespace hw

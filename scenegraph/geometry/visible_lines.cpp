@@ -1,5 +1,5 @@
-// Appel's invisibility changes only where a line passes behind a contour; the number itself is not carried along, since at
-// vertices it is a matter of many cases: the middle of every piece is looked at anew. That is exact for the piece,
+// Appel's invisibility changes only where a line passes behind a contour; the number itself is not carried along, since
+// at vertices it is a matter of many cases: the middle of every piece is looked at anew. That is exact for the piece,
 // whatever happened before it.
 #include "geometry/visible_lines.hpp"
 
@@ -91,7 +91,9 @@ std::optional<ImageLine> in_picture(const ImageLine& line, const glm::dvec2& siz
 class HiddenLines {
  public:
     HiddenLines(LineDrawing drawing, const ImageSpace& space)
-        : drawing_(std::move(drawing)), space_(space), triangle_grid_(space.size_px(), cell_px()),
+        : drawing_(std::move(drawing)),
+          space_(space),
+          triangle_grid_(space.size_px(), cell_px()),
           contour_grid_(space.size_px(), 2.0 * cell_px())
     {
         tbb::parallel_invoke([&] { fill_triangles(); }, [&] { fill_contours(); });
@@ -146,9 +148,9 @@ class HiddenLines {
         const DrawnLine& drawn = drawing_.lines[index];
         const auto part = space_.clipped(drawn.from_view, drawn.to_view);
         if (!part) return;
-        const auto seen = in_picture({space_.project(part->from), space_.project(part->to), !part->is_from_clipped,
-                                      !part->is_to_clipped},
-                                     space_.size_px());
+        const auto seen = in_picture(
+            {space_.project(part->from), space_.project(part->to), !part->is_from_clipped, !part->is_to_clipped},
+            space_.size_px());
         if (!seen) return;
         const double length = glm::distance(glm::dvec2(seen->from), glm::dvec2(seen->to));
         if (length == 0.0) return;
@@ -184,7 +186,8 @@ class HiddenLines {
                 parts.back().piece.to = glm::dvec2(at(cuts[i + 1]));
                 continue;
             }
-            parts.push_back({index, is_visible, {glm::dvec2(at(cuts[i])), glm::dvec2(at(cuts[i + 1])), kFreeEnd, kFreeEnd}});
+            parts.push_back(
+                {index, is_visible, {glm::dvec2(at(cuts[i])), glm::dvec2(at(cuts[i + 1])), kFreeEnd, kFreeEnd}});
         }
         if (seen.is_from_whole) parts[first].piece.from_vertex = drawn.vertices[0];
         if (seen.is_to_whole) parts.back().piece.to_vertex = drawn.vertices[1];
@@ -194,9 +197,10 @@ class HiddenLines {
     static void add_part(std::uint32_t index, const ImageLine& seen, std::vector<LinePart>& parts,
                          const DrawnLine& drawn)
     {
-        parts.push_back({index, false, {glm::dvec2(seen.from), glm::dvec2(seen.to),
-                                        seen.is_from_whole ? drawn.vertices[0] : kFreeEnd,
-                                        seen.is_to_whole ? drawn.vertices[1] : kFreeEnd}});
+        parts.push_back({index,
+                         false,
+                         {glm::dvec2(seen.from), glm::dvec2(seen.to), seen.is_from_whole ? drawn.vertices[0] : kFreeEnd,
+                          seen.is_to_whole ? drawn.vertices[1] : kFreeEnd}});
     }
 
     void cut_by_contours(const ImageLine& line, const Bounds& bounds, float farthest, std::vector<double>& cuts) const
@@ -305,8 +309,7 @@ std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenL
         return std::uint64_t{line.object} << 8 | static_cast<std::uint64_t>(line.line_class) << 1 |
                (part.is_visible ? 0u : 1u);
     };
-    std::stable_sort(parts.begin(), parts.end(),
-                     [&](const LinePart& a, const LinePart& b) { return key(a) < key(b); });
+    std::stable_sort(parts.begin(), parts.end(), [&](const LinePart& a, const LinePart& b) { return key(a) < key(b); });
     std::vector<VisibleLine> lines;
     std::vector<LinePiece> pieces;
     for (std::size_t begin = 0; begin < parts.size();) {

@@ -34,8 +34,8 @@ struct LineObject {
 enum class VisibleLineClass : std::uint8_t { silhouette, ridge, valley, border, artist };
 
 struct VisibleLineOptions {
-    bool with_hidden = false;   ///< The hidden parts too, as lines of their own.
-    bool with_creases = true;   ///< Ridges, valleys and artist's edges; without: silhouettes and borders.
+    bool with_hidden = false;  ///< The hidden parts too, as lines of their own.
+    bool with_creases = true;  ///< Ridges, valleys and artist's edges; without: silhouettes and borders.
 };
 
 /// A polyline of the drawing. All of it belongs to one object and class and is visible, or all of it is hidden.
@@ -43,14 +43,14 @@ struct VisibleLine {
     std::uint32_t object = 0;  ///< Index into the objects given.
     VisibleLineClass line_class = VisibleLineClass::silhouette;
     bool is_visible = true;
-    bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
-    std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
+    bool is_closed = false;             ///< The last point is joined to the first, which is not repeated.
+    std::vector<glm::dvec2> points_px;  ///< Two at least. Origin top left, y down, clipped to the picture.
 };
 
-/// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change: where
-/// it crosses a silhouette or a border in the picture, and where it goes through a face. Of each piece the middle is tested
-/// against all faces before it. A face hides what lies behind it by over 2e-7 of the distance, so that lines on a face
-/// and on a neighbour's coplanar face stay visible. Pieces are joined to polylines at common vertices.
+/// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:
+/// where it crosses a silhouette or a border in the picture, and where it goes through a face. Of each piece the middle
+/// is tested against all faces before it. A face hides what lies behind it by over 2e-7 of the distance, so that lines
+/// on a face and on a neighbour's coplanar face stay visible. Pieces are joined to polylines at common vertices.
 ///
 /// The result is sorted by object and class and does not depend on the number of threads.
 /// Source: Appel. The Notion of Quantitative Invisibility and the Machine Rendering of Solids. ACM 1967, for where

@@ -14,7 +14,10 @@ using namespace hw::test;
 
 constexpr auto kRational = hw::SilhouetteOracle::Arithmetic::rational_only;
 
-hw::Surface surface_of(const hw::MeshData& mesh) { return hw::build_surface(mesh); }
+hw::Surface surface_of(const hw::MeshData& mesh)
+{
+    return hw::build_surface(mesh);
+}
 
 /// A fan of `count` faces around the edge from the origin to +z.
 hw::MeshData fan(int count)
@@ -88,7 +91,8 @@ TEST(hard_meshes, duplicated_vertices)
 TEST(hard_meshes, vertices_one_ulp_apart)
 {
     hw::MeshData mesh = flat_shaded(sphere(12, 8));
-    for (std::size_t i = 0; i < mesh.positions.size(); i += 2) mesh.positions[i].x = std::nextafter(mesh.positions[i].x, 9.0f);
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 2)
+        mesh.positions[i].x = std::nextafter(mesh.positions[i].x, 9.0f);
     const hw::Surface surface = surface_of(mesh);
     EXPECT_EQ(surface.report.border_edges, 0u);
     EXPECT_GT(surface.report.stitched_edges, 0u);
@@ -146,7 +150,8 @@ TEST(hard_meshes, a_moebius_strip_shows_no_line_where_its_winding_turns)
     const hw::Surface surface = surface_of(moebius_strip(400));
     std::uint32_t turn = 0;
     for (std::uint32_t edge = 0; edge < surface.edges.size(); ++edge) {
-        if (surface.edges.faces[edge][1] != hw::kNoFace && surface.edges.faces[edge][1] >= surface.faces.size()) turn = edge;
+        if (surface.edges.faces[edge][1] != hw::kNoFace && surface.edges.faces[edge][1] >= surface.faces.size())
+            turn = edge;
     }
     ASSERT_LT(hw::fold_rad(surface, turn), 0.1f);
     hw::SilhouetteScratch scratch;

@@ -103,9 +103,8 @@ TEST(facing, needs_exact_arithmetic_only_close_to_the_plane)
     EXPECT_EQ(stage, hw::PredicateStage::filter);
     hw::facing_sign({0.1f, 0.7f, 0.3f}, {1.3f, 0.9f, 0.2f}, {0.4f, 1.1f, 0.9f},
                     {glm::dvec3(0.1f) * 0.0 + glm::dvec3(0.1f, 0.7f, 0.3f)}, &stage);
-    EXPECT_EQ(hw::facing_sign({0.1f, 0.7f, 0.3f}, {1.3f, 0.9f, 0.2f}, {0.4f, 1.1f, 0.9f},
-                              {glm::dvec3(0.1f, 0.7f, 0.3f)}),
-              0);
+    EXPECT_EQ(
+        hw::facing_sign({0.1f, 0.7f, 0.3f}, {1.3f, 0.9f, 0.2f}, {0.4f, 1.1f, 0.9f}, {glm::dvec3(0.1f, 0.7f, 0.3f)}), 0);
 }
 
 TEST(collinear, is_exact)

@@ -14,7 +14,10 @@ using namespace hw::test;
 
 constexpr double kQuarter = 1.5707963267948966;
 
-glm::dmat4 shift(double x, double y, double z) { return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z)); }
+glm::dmat4 shift(double x, double y, double z)
+{
+    return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z));
+}
 
 hw::Surface floor_tile()
 {
@@ -58,8 +61,8 @@ TEST(seams, tiles_of_different_styles_keep_their_borders)
 TEST(seams, tiles_with_a_step_a_fold_or_a_gap_keep_their_borders)
 {
     const hw::Surface tile = floor_tile();
-    for (const glm::dmat4& second : {shift(1, 0.01, 0), glm::rotate(shift(1, 0, 0), 0.3, glm::dvec3(0, 0, 1)),
-                                     shift(1.01, 0, 0)}) {
+    for (const glm::dmat4& second :
+         {shift(1, 0.01, 0), glm::rotate(shift(1, 0, 0), 0.3, glm::dvec3(0, 0, 1)), shift(1.01, 0, 0)}) {
         const std::vector<hw::SeamObject> objects{{&tile, shift(0, 0, 0)}, {&tile, second}};
         EXPECT_TRUE(hw::find_seams(objects)[0].hidden.empty());
     }
@@ -144,9 +147,11 @@ TEST(cross_section, a_sheet_hanging_from_a_ceiling_is_seen_but_the_gap_between_t
 {
     // Angles: 0 right, a quarter up. The ceiling looks down, the floor up; the two sheets hang down and look apart.
     const hw::FaceAtLine sheet_right{-kQuarter, true, false}, sheet_left{-kQuarter, false, true};
-    const std::array<hw::FaceAtLine, 4> ceiling{{{0.0, false, true}, {2 * kQuarter, true, false}, sheet_right, sheet_left}};
+    const std::array<hw::FaceAtLine, 4> ceiling{
+        {{0.0, false, true}, {2 * kQuarter, true, false}, sheet_right, sheet_left}};
     EXPECT_FALSE(hw::is_flat_across(ceiling, 0.01));
-    const std::array<hw::FaceAtLine, 4> solids{{{0.0, true, false}, {2 * kQuarter, false, true}, sheet_right, sheet_left}};
+    const std::array<hw::FaceAtLine, 4> solids{
+        {{0.0, true, false}, {2 * kQuarter, false, true}, sheet_right, sheet_left}};
     EXPECT_TRUE(hw::is_flat_across(solids, 0.01));
 }
 
@@ -162,9 +167,11 @@ TEST(cross_section, both_sides_of_a_double_sided_sheet_count)
 TEST(cross_section, a_wall_inside_of_an_open_shell_makes_no_line_on_its_outside)
 {
     // A straight front, and behind it one side of a partition: who looks at the front sees neither.
-    const std::array<hw::FaceAtLine, 3> front{{{0.0, true, false}, {2 * kQuarter, false, true}, {-kQuarter, false, true}}};
+    const std::array<hw::FaceAtLine, 3> front{
+        {{0.0, true, false}, {2 * kQuarter, false, true}, {-kQuarter, false, true}}};
     EXPECT_TRUE(hw::is_flat_across(front, 0.01));
     // The same wall in front of it is seen.
-    const std::array<hw::FaceAtLine, 3> fence{{{0.0, true, false}, {2 * kQuarter, false, true}, {kQuarter, false, true}}};
+    const std::array<hw::FaceAtLine, 3> fence{
+        {{0.0, true, false}, {2 * kQuarter, false, true}, {kQuarter, false, true}}};
     EXPECT_FALSE(hw::is_flat_across(fence, 0.01));
 }

@@ -14,7 +14,10 @@ using namespace hw::test;
 
 constexpr float kSixtyDegrees = 1.0471976f;
 
-std::uint32_t size_of(const hw::Surface& surface, hw::EdgeGroup group) { return surface.edges.group(group).size(); }
+std::uint32_t size_of(const hw::Surface& surface, hw::EdgeGroup group)
+{
+    return surface.edges.group(group).size();
+}
 
 }  // namespace
 

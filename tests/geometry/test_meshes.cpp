@@ -91,8 +91,7 @@ MeshData torus(int major, int minor, float major_radius, float minor_radius)
         for (int j = 0; j < minor; ++j) {
             const double angle = 2.0 * glm::pi<double>() * j / minor;
             const auto distance = static_cast<float>(major_radius + minor_radius * std::cos(angle));
-            mesh.positions.push_back(
-                on_circle(i, major, distance, static_cast<float>(minor_radius * std::sin(angle))));
+            mesh.positions.push_back(on_circle(i, major, distance, static_cast<float>(minor_radius * std::sin(angle))));
         }
     }
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i % major * minor + j % minor); };
@@ -127,8 +126,8 @@ MeshData moebius_strip(int segments)
         const double turn = 2.0 * glm::pi<double>() * i / segments;
         for (const double side : {-0.3, 0.3}) {
             const double distance = 1.0 + side * std::cos(0.5 * turn);
-            mesh.positions.push_back(glm::vec3(distance * std::cos(turn), side * std::sin(0.5 * turn),
-                                               distance * std::sin(turn)));
+            mesh.positions.push_back(
+                glm::vec3(distance * std::cos(turn), side * std::sin(0.5 * turn), distance * std::sin(turn)));
         }
     }
     const auto n = static_cast<std::uint32_t>(segments);
@@ -147,8 +146,9 @@ MeshData klein_bottle(int major, int minor)
         for (int j = 0; j < minor; ++j) {
             const double v = 2.0 * glm::pi<double>() * j / minor;
             const double r = 2.0 + std::cos(0.5 * u) * std::sin(v) - std::sin(0.5 * u) * std::sin(2.0 * v);
-            mesh.positions.push_back(glm::vec3(r * std::cos(u), r * std::sin(u),
-                                               std::sin(0.5 * u) * std::sin(v) + std::cos(0.5 * u) * std::sin(2.0 * v)));
+            mesh.positions.push_back(
+                glm::vec3(r * std::cos(u), r * std::sin(u),
+                          std::sin(0.5 * u) * std::sin(v) + std::cos(0.5 * u) * std::sin(2.0 * v)));
         }
     }
     // After one turn v has become -v.

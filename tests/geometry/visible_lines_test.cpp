@@ -28,7 +28,8 @@ glm::dvec2 pixel(const glm::dvec3& p)
 double length_of(const hw::VisibleLine& line)
 {
     double sum = 0.0;
-    for (std::size_t i = 1; i < line.points_px.size(); ++i) sum += glm::distance(line.points_px[i - 1], line.points_px[i]);
+    for (std::size_t i = 1; i < line.points_px.size(); ++i)
+        sum += glm::distance(line.points_px[i - 1], line.points_px[i]);
     return line.is_closed ? sum + glm::distance(line.points_px.back(), line.points_px.front()) : sum;
 }
 
@@ -47,7 +48,10 @@ hw::Surface upright_square()
     return hw::build_surface(mesh);
 }
 
-glm::dmat4 at(double x, double y, double z) { return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z)); }
+glm::dmat4 at(double x, double y, double z)
+{
+    return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z));
+}
 
 }  // namespace
 
@@ -61,9 +65,8 @@ TEST(visible_lines, a_square_is_one_closed_line_where_the_camera_sees_it)
     EXPECT_TRUE(lines[0].is_closed);
     ASSERT_EQ(lines[0].points_px.size(), 4u);
     for (const glm::dvec3& corner : {glm::dvec3(-1, -1, 0), glm::dvec3(1, -1, 0), glm::dvec3(1, 1, 0)}) {
-        const bool is_there = std::any_of(lines[0].points_px.begin(), lines[0].points_px.end(), [&](const auto& p) {
-            return glm::distance(p, pixel(corner)) < 1e-9;
-        });
+        const bool is_there = std::any_of(lines[0].points_px.begin(), lines[0].points_px.end(),
+                                          [&](const auto& p) { return glm::distance(p, pixel(corner)) < 1e-9; });
         EXPECT_TRUE(is_there);
     }
 }
@@ -95,7 +98,8 @@ TEST(visible_lines, a_line_through_a_face_is_cut_where_it_goes_through)
     const hw::Surface square = upright_square();
     const glm::dmat4 crossing = glm::rotate(at(0, 0, 0), 0.5 * 3.141592653589793, glm::dvec3(1, 0, 0));
     const std::vector<hw::LineObject> objects{{&square}, {&square, glm::scale(crossing, glm::dvec3(0.5, 0.5, 0.5))}};
-    // The second square lies level and half of it is behind the first; both its sides that go backward are cut at z = 0.
+    // The second square lies level and half of it is behind the first; both its sides that go backward are cut at z =
+    // 0.
     const auto raised = hw::LineCamera{.eye_world = {0, 3, 10}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
     const auto lines = hw::find_visible_lines(objects, raised, {.with_hidden = true});
     int cut_ends = 0;
@@ -161,8 +165,10 @@ TEST(visible_lines, do_not_depend_on_the_scale_of_the_world)
     std::vector<double> lengths;
     for (const double scale : {1e-5, 1.0, 1e5}) {
         const std::vector<hw::LineObject> objects{{&ring, glm::scale(glm::dmat4(1.0), glm::dvec3(scale))}};
-        const hw::LineCamera camera{.eye_world = glm::dvec3(2, 1.5, 2.5) * scale, .target_world = {0, 0, 0},
-                                    .size_px = {800, 600}, .near_m = 0.001 * scale};
+        const hw::LineCamera camera{.eye_world = glm::dvec3(2, 1.5, 2.5) * scale,
+                                    .target_world = {0, 0, 0},
+                                    .size_px = {800, 600},
+                                    .near_m = 0.001 * scale};
         lengths.push_back(total(hw::find_visible_lines(objects, camera), true, 0));
     }
     EXPECT_NEAR(lengths[0], lengths[1], 1e-6 * lengths[1]);
@@ -195,7 +201,8 @@ TEST(visible_lines, have_the_length_that_rays_through_many_samples_find)
     const glm::dvec3 eye = kFront.eye_world;
     const auto is_seen = [&](const glm::dvec3& point) {
         return std::none_of(surface.faces.begin(), surface.faces.end(), [&](const auto& face) {
-            const glm::dvec3 u = surface.positions[face[0]], v = surface.positions[face[1]], w = surface.positions[face[2]];
+            const glm::dvec3 u = surface.positions[face[0]], v = surface.positions[face[1]],
+                             w = surface.positions[face[2]];
             const glm::dvec3 normal = glm::cross(v - u, w - u), ray = point - eye;
             const double t = glm::dot(normal, u - eye) / glm::dot(normal, ray);
             if (!(t > 0.0 && t < 1.0 - 1e-6)) return false;
@@ -239,7 +246,8 @@ TEST(visible_lines, are_the_same_bytes_every_time)
 
 TEST(line_chains, pieces_that_meet_become_one_line)
 {
-    const std::vector<hw::LinePiece> pieces{{{0, 0}, {1, 0}, 0, 1}, {{2, 0}, {1, 0}, 2, 1}, {{2, 0}, {2, 5}, 2, hw::kFreeEnd}};
+    const std::vector<hw::LinePiece> pieces{
+        {{0, 0}, {1, 0}, 0, 1}, {{2, 0}, {1, 0}, 2, 1}, {{2, 0}, {2, 5}, 2, hw::kFreeEnd}};
     const auto chains = hw::join_pieces(pieces);
     ASSERT_EQ(chains.size(), 1u);
     EXPECT_FALSE(chains[0].is_closed);
