@@ -240,7 +240,11 @@ int flow_all(FlowGraph& graph, const PvsOptions& options)
     constexpr std::uint64_t kLeastSteps = 500;
     const bool has_limit = options.effort != PvsEffort::exact && options.seconds > 0.0;
     double left = options.seconds * kStepsPerSecond;
-    for (const std::size_t depth : {std::size_t{2}, std::size_t{4}, std::size_t{8}, graph.portals.size() + 1}) {
+    const std::size_t unlimited = graph.portals.size() + 1;
+    // Where all of it will be done the rounds before the last cost more than they save.
+    const std::vector<std::size_t> depths =
+        has_limit ? std::vector<std::size_t>{2, 4, 8, unlimited} : std::vector<std::size_t>{unlimited};
+    for (const std::size_t depth : depths) {
         const std::size_t coarse = coarse_portals(graph).size();
         if (coarse == 0) return 0;
         const double share = 4.0 * std::max(0.0, left) / static_cast<double>(coarse);
