@@ -105,6 +105,18 @@ TEST(surface, the_minority_of_an_inconsistent_component_is_flipped)
     EXPECT_TRUE(surface.components[0].is_outward);
 }
 
+TEST(surface, one_flipped_face_is_the_one_that_is_turned_back_whichever_it_is)
+{
+    const hw::MeshData whole = sphere(6, 4);
+    for (std::size_t triangle = 0; triangle < whole.triangle_count(); ++triangle) {
+        hw::MeshData mesh = whole;
+        std::swap(mesh.indices[3 * triangle], mesh.indices[3 * triangle + 1]);
+        const hw::Surface surface = hw::build_surface(mesh);
+        EXPECT_EQ(surface.report.flipped_faces, 1u);
+        EXPECT_TRUE(surface.components[0].is_outward);
+    }
+}
+
 TEST(surface, faces_with_two_equal_corners_are_removed_and_counted)
 {
     hw::MeshData mesh = box({0, 0, 0}, {1, 1, 1});
