@@ -5,11 +5,10 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "core/log.hpp"
 #include "gl/context.hpp"
 #include "render/frame_plan.hpp"
+#include "render/loaded_scene.hpp"
 #include "render/overlay_drawer.hpp"
-#include "render/shadow_map.hpp"
 #include "render/style_pass.hpp"
 #include "world/visibility.hpp"
 
@@ -37,58 +36,7 @@ class PhaseClock {
     Clock::time_point last_;
 };
 
-/// What programs are compiled for in this scene.
-SurfaceFeatures light_features(const std::vector<Light>& lights)
-{
-    namespace f = surface_feature;
-    SurfaceFeatures features = static_cast<SurfaceFeatures>(lights.size()) << f::kLightCountBit;
-    for (const Light& light : lights) {
-        if (light.type == LightType::sun) features += SurfaceFeatures(1) << f::kSunCountBit;
-        if (light.type == LightType::spot) features |= f::kSpotLights;
-        if (light.type != LightType::sun && light.range_m > 0.0f) features |= f::kLightRanges;
-    }
-    return features;
-}
-
 }  // namespace
-
-/// Everything of one loaded scene.
-struct LoadedScene {
-    LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter)
-        : input(std::move(taken)),
-          gpu(*input.scene, input.maps, texture_filter),
-          lightmap(input.lightmap, *input.scene),
-          edges(*input.scene, line_indices)
-    {
-        light = choose_lights(input.lights, input.scene->bounds_world);
-        light.exposure_ev = input.exposure_ev;
-        light.background_linear = linear_from_srgb(input.background_srgb);
-        for (const MeshData& mesh : input.scene->meshes) {
-            mesh_bounds.emplace_back();
-            for (const glm::vec3& position : mesh.positions) mesh_bounds.back().add(glm::dvec3(position));
-        }
-        for (ObjectId id = 0; id < input.scene->objects.size(); ++id) is_all_baked &= lightmap.feature(id) != 0;
-        std::uint32_t first = 0;
-        for (const Object& object : input.scene->objects) {
-            first_triangle.push_back(first);
-            first += static_cast<std::uint32_t>(input.scene->meshes[object.mesh].triangle_count());
-        }
-    }
-
-    SceneInput input;
-    GpuScene gpu;
-    GpuLightmap lightmap;
-    EdgeStore edges;
-    ShadowMap shadow;
-    SceneLight light;
-    bool is_all_baked = true;                        ///< Every object has baked light.
-    std::vector<Box> mesh_bounds;                    ///< Object space.
-    std::vector<std::uint32_t> first_triangle;       ///< Of each object, in the numbering of triangle ids.
-    std::vector<Needs> needs;                        ///< Of each style.
-    std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.
-    std::map<ImageKey, std::unique_ptr<ImagePass>> image_passes;
-    std::map<ImageKey, Needs> image_needs;
-};
 
 struct Renderer::State {
     explicit State(Context& own_context)
@@ -100,8 +48,6 @@ struct Renderer::State {
     {
     }
 
-    void learn_needs();
-    void make_image_passes(const Needs& needs, int depth);
     void size_targets(glm::ivec2 size_px, int samples);
     void draw_products(const FramePlan& plan, const View& view);
     void draw_images(const FramePlan& plan, FrameParts& parts, FrameStats& stats);
@@ -109,6 +55,7 @@ struct Renderer::State {
     void draw_lines(const FramePlan& plan, FrameParts& parts);
     void draw_blended(const FramePlan& plan, FrameParts& parts);
     void resolve(const View& view, const FrameOptions& options);
+    FrameParts parts_of(const View& view, const FrameOptions& options, SurfaceDrawer& surfaces);
     void count(FrameStats& stats, const FrameParts& parts);
     StylePass pass_of(FrameParts& parts, int style, PassStage stage) const;
     Style& style(int index) const { return *scene->input.styles[index].style; }
@@ -149,58 +96,12 @@ void Renderer::load(SceneInput input)
     const bool is_software = state_->context.device().is_software;
     state_->scene = std::make_unique<LoadedScene>(std::move(input), state_->line_indices,
                                                   is_software ? FilterMode::linear_in_level : FilterMode::trilinear);
-    state_->learn_needs();
 }
 
 void Renderer::set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects)
 {
     HW_ASSERT(objects.size() == state_->scene->input.objects.size());
-    state_->scene->input.styles = std::move(styles);
-    state_->scene->input.objects = std::move(objects);
-    state_->learn_needs();
-}
-
-void Renderer::State::make_image_passes(const Needs& needs, int depth)
-{
-    for (const ImageKey& key : needs.images) {
-        if (is_engine_image(key.pass) || scene->image_passes.contains(key) || depth > 16) continue;
-        std::unique_ptr<ImagePass> made = scene->input.image_passes ? scene->input.image_passes(key) : nullptr;
-        if (made == nullptr)
-            throw Error({.what = "no image pass \"" + key.pass + "\"",
-                         .expected = "an image pass plugin, normal_depth, object_ids or triangle_ids"});
-        const Needs own = made->needs();
-        scene->image_needs[key] = own;
-        scene->image_passes[key] = std::move(made);
-        make_image_passes(own, depth + 1);
-    }
-}
-
-void Renderer::State::learn_needs()
-{
-    const SceneInput& input = scene->input;
-    scene->needs.clear();
-    scene->style_maps.assign(input.styles.size(), {});
-    for (std::size_t i = 0; i < input.styles.size(); ++i) {
-        scene->needs.push_back(input.styles[i].style->needs());
-        make_image_passes(scene->needs[i], 0);
-        for (const auto& [kind, name] : scene->needs[i].maps) {
-            const auto found = input.named_maps.find(name.value);
-            if (found != input.named_maps.end()) scene->style_maps[i][kind] = found->second;
-        }
-    }
-    std::vector<EdgeUse> uses(input.objects.size());
-    for (std::size_t object = 0; object < uses.size(); ++object) {
-        const StyledObject& look = input.objects[object];
-        uses[object].style = static_cast<std::uint32_t>((look.style + 1) * 65536 + look.over + 1);
-        for (const int style_index : {look.style, look.over}) {
-            if (style_index == kNone || !scene->needs[style_index].edges) continue;
-            const float crease_rad = scene->needs[style_index].edges->crease_rad;
-            EdgeUse& use = uses[object];
-            use.crease_rad = use.is_used ? std::min(use.crease_rad, crease_rad) : crease_rad;
-            use.is_used = true;
-        }
-    }
-    scene->edges.prepare(uses);
+    state_->scene->set_looks(std::move(styles), std::move(objects));
 }
 
 void Renderer::State::size_targets(glm::ivec2 size_px, int samples)
@@ -335,6 +236,27 @@ void Renderer::State::count(FrameStats& stats, const FrameParts& parts)
     stats.programs_compiled = programs.compiled_count();
 }
 
+FrameParts Renderer::State::parts_of(const View& view, const FrameOptions& options, SurfaceDrawer& surfaces)
+{
+    FrameParts parts;
+    parts.view = &view;
+    parts.visible = &visible;
+    parts.looks = &scene->input.objects;
+    parts.picture = options.samples > 1 ? &sampled : &picture;
+    parts.state = &gpu;
+    parts.programs = &programs;
+    parts.pool = &pool;
+    parts.surfaces = &surfaces;
+    parts.lines = &lines;
+    parts.edges = &scene->edges;
+    parts.line_frame = {&view, options.samples, options.line_path};
+    parts.no_vertices = &no_vertices;
+    parts.scene_features = scene->light_features;
+    parts.lightmap = &scene->lightmap;
+    parts.shadow_texture = scene->shadow.texture();
+    return parts;
+}
+
 FrameStats Renderer::draw(const View& view, const FrameOptions& options)
 {
     HW_ASSERT(state_->scene != nullptr && view.size_px.x > 0 && view.size_px.y > 0);
@@ -358,22 +280,7 @@ FrameStats Renderer::draw(const View& view, const FrameOptions& options)
     clock.end_phase(stats.products_ms);
 
     SurfaceDrawer surfaces(state.programs, state.gpu, scene.gpu);
-    FrameParts parts;
-    parts.view = &view;
-    parts.visible = &state.visible;
-    parts.looks = &scene.input.objects;
-    parts.picture = options.samples > 1 ? &state.sampled : &state.picture;
-    parts.state = &state.gpu;
-    parts.programs = &state.programs;
-    parts.pool = &state.pool;
-    parts.surfaces = &surfaces;
-    parts.lines = &state.lines;
-    parts.edges = &scene.edges;
-    parts.line_frame = {&view, options.samples, options.line_path};
-    parts.no_vertices = &state.no_vertices;
-    parts.scene_features = light_features(scene.light.lights);
-    parts.lightmap = &scene.lightmap;
-    parts.shadow_texture = scene.shadow.texture();
+    FrameParts parts = state.parts_of(view, options, surfaces);
     state.draw_images(plan, parts, stats);
     clock.end_phase(stats.images_ms);
 

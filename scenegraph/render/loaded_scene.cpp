@@ -1,0 +1,101 @@
+#include "render/loaded_scene.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "render/shared_images.hpp"
+
+namespace hw {
+namespace {
+
+constexpr int kMaxImageDepth = 16;
+
+SurfaceFeatures features_of(const std::vector<Light>& lights)
+{
+    namespace f = surface_feature;
+    SurfaceFeatures features = static_cast<SurfaceFeatures>(lights.size()) << f::kLightCountBit;
+    for (const Light& light : lights) {
+        if (light.type == LightType::sun) features += SurfaceFeatures(1) << f::kSunCountBit;
+        if (light.type == LightType::spot) features |= f::kSpotLights;
+        if (light.type != LightType::sun && light.range_m > 0.0f) features |= f::kLightRanges;
+    }
+    return features;
+}
+
+}  // namespace
+
+LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter)
+    : input(std::move(taken)),
+      gpu(*input.scene, input.maps, texture_filter),
+      lightmap(input.lightmap, *input.scene),
+      edges(*input.scene, line_indices),
+      light(choose_lights(input.lights, input.scene->bounds_world)),
+      light_features(features_of(light.lights))
+{
+    light.exposure_ev = input.exposure_ev;
+    light.background_linear = linear_from_srgb(input.background_srgb);
+    for (const MeshData& mesh : input.scene->meshes) {
+        mesh_bounds.emplace_back();
+        for (const glm::vec3& position : mesh.positions) mesh_bounds.back().add(glm::dvec3(position));
+    }
+    for (ObjectId id = 0; id < input.scene->objects.size(); ++id) is_all_baked &= lightmap.feature(id) != 0;
+    std::uint32_t first = 0;
+    for (const Object& object : input.scene->objects) {
+        first_triangle.push_back(first);
+        first += static_cast<std::uint32_t>(input.scene->meshes[object.mesh].triangle_count());
+    }
+    set_looks(std::move(input.styles), std::move(input.objects));
+}
+
+void LoadedScene::make_image_passes(const Needs& of_style, int depth)
+{
+    for (const ImageKey& key : of_style.images) {
+        if (is_engine_image(key.pass) || image_passes.contains(key) || depth > kMaxImageDepth) continue;
+        std::unique_ptr<ImagePass> made = input.image_passes ? input.image_passes(key) : nullptr;
+        if (made == nullptr)
+            throw Error({.what = "no image pass \"" + key.pass + "\"",
+                         .expected = "an image pass plugin, normal_depth, object_ids or triangle_ids"});
+        const Needs own = made->needs();
+        make_image_passes(own, depth + 1);
+        image_needs[key] = own;
+        image_passes[key] = std::move(made);
+    }
+}
+
+void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects)
+{
+    std::vector<Needs> new_needs;
+    std::vector<std::map<MapKind, int>> new_maps(styles.size());
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        new_needs.push_back(styles[i].style->needs());
+        make_image_passes(new_needs[i], 0);
+        for (const auto& [kind, name] : new_needs[i].maps) {
+            const auto found = input.named_maps.find(name.value);
+            if (found != input.named_maps.end()) new_maps[i][kind] = found->second;
+        }
+    }
+    needs = std::move(new_needs);
+    style_maps = std::move(new_maps);
+    input.styles = std::move(styles);
+    input.objects = std::move(objects);
+    edges.prepare(edge_uses());
+}
+
+std::vector<EdgeUse> LoadedScene::edge_uses() const
+{
+    std::vector<EdgeUse> uses(input.objects.size());
+    for (std::size_t object = 0; object < uses.size(); ++object) {
+        const StyledObject& look = input.objects[object];
+        EdgeUse& use = uses[object];
+        use.style = static_cast<std::uint32_t>((look.style + 1) * 65536 + look.over + 1);
+        for (const int style : {look.style, look.over}) {
+            if (style == kNone || !needs[style].edges) continue;
+            const float crease_rad = needs[style].edges->crease_rad;
+            use.crease_rad = use.is_used ? std::min(use.crease_rad, crease_rad) : crease_rad;
+            use.is_used = true;
+        }
+    }
+    return uses;
+}
+
+}  // namespace hw

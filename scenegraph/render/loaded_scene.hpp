@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "render/edge_store.hpp"
+#include "render/gpu_lightmap.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/renderer.hpp"
+#include "render/shadow_map.hpp"
+
+namespace hw {
+
+/// Everything of one loaded scene: what was given, and what was made of it.
+struct LoadedScene {
+    /// Throws hw::Error when the device cannot hold it, or a style asks for an image that nobody makes.
+    LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter);
+
+    /// Takes other looks and builds what they need and is not there yet. When it throws, all stays as it was.
+    void set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects);
+
+    SceneInput input;
+    GpuScene gpu;
+    GpuLightmap lightmap;
+    EdgeStore edges;
+    ShadowMap shadow;
+    SceneLight light;
+    SurfaceFeatures light_features = 0;              ///< What programs are compiled for in this scene.
+    bool is_all_baked = true;                        ///< Every object has baked light.
+    std::vector<Box> mesh_bounds;                    ///< Object space.
+    std::vector<std::uint32_t> first_triangle;       ///< Of each object, in the numbering of triangle ids.
+    std::vector<Needs> needs;                        ///< Of each style.
+    std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.
+    std::map<ImageKey, std::unique_ptr<ImagePass>> image_passes;
+    std::map<ImageKey, Needs> image_needs;
+
+ private:
+    void make_image_passes(const Needs& of_style, int depth);
+    std::vector<EdgeUse> edge_uses() const;
+};
+
+}  // namespace hw
