@@ -29,7 +29,8 @@ int sign_at(const Grid& grid, const ExactPlane& plane, const glm::dvec3& point)
 int leaf_by_rationals(const BspTree& tree, const glm::dvec3& point_world)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        if (point_world[axis] < tree.bounds_world.min[axis] || point_world[axis] > tree.bounds_world.max[axis]) return -1;
+        if (point_world[axis] < tree.bounds_world.min[axis] || point_world[axis] > tree.bounds_world.max[axis])
+            return -1;
     }
     int child = tree.nodes.empty() ? ~0 : 0;
     while (child >= 0) {

@@ -1,5 +1,5 @@
-// What the tree costs, and whether it tells the truth: every point must be where exact arithmetic on the stored planes puts
-// it, and the pieces must cover what the snapped polygons covered.
+// What the tree costs, and whether it tells the truth: every point must be where exact arithmetic on the stored planes
+// puts it, and the pieces must cover what the snapped polygons covered.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,8 +32,8 @@ std::uint64_t misclassified(const BspTree& tree, std::uint64_t points)
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::uint64_t wrong = 0;
     for (std::uint64_t i = 0; i < points; ++i) {
-        glm::dvec3 point = tree.bounds_world.min +
-                           tree.bounds_world.size() * glm::dvec3(share(engine), share(engine), share(engine));
+        glm::dvec3 point =
+            tree.bounds_world.min + tree.bounds_world.size() * glm::dvec3(share(engine), share(engine), share(engine));
         if (i % 2 == 1 && !tree.nodes.empty()) {
             const ExactPlane& plane = tree.nodes[engine() % tree.nodes.size()].plane;
             const double distance = plane.distance((point - tree.grid.origin_world) / tree.grid.step_m);
@@ -63,8 +63,7 @@ JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
     const BspBuild build =
         build_bsp(structure.grid, structure.planes, structure.polygons, structure.box_min, structure.box_max);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double area_error =
-        structure.area_m2 > 0.0 ? std::abs(area_m2(build) / structure.area_m2 - 1.0) : 0.0;
+    const double area_error = structure.area_m2 > 0.0 ? std::abs(area_m2(build) / structure.area_m2 - 1.0) : 0.0;
     JsonValue row = JsonValue::object();
     row.set("file", file.filename().string()).set("seconds", seconds);
     row.set("polygons", static_cast<std::uint64_t>(structure.polygons.size())).set("pieces", build.piece_count);
@@ -90,7 +89,8 @@ void measure_bsp(const BspMeasureArguments& arguments)
 void add_measure_bsp(CLI::App& measure)
 {
     auto arguments = std::make_shared<BspMeasureArguments>();
-    CLI::App* command = measure.add_subcommand("bsp", "Seconds, pieces, misclassified points and area error of the BSP");
+    CLI::App* command =
+        measure.add_subcommand("bsp", "Seconds, pieces, misclassified points and area error of the BSP");
     command->add_option("files", arguments->files, "Levels or models")->required();
     command->add_option("--points", arguments->points, "Points to classify");
     add_json_argument(*command, arguments->json);

@@ -1,5 +1,5 @@
-// What the potentially visible set costs at each effort, how much more it shows than sampled rays see, and what it hides
-// that a ray sees: that must be nothing.
+// What the potentially visible set costs at each effort, how much more it shows than sampled rays see, and what it
+// hides that a ray sees: that must be nothing.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -46,7 +46,9 @@ JsonValue row_json(const std::string& file, const std::string& effort, const Vis
     row.set("coarse_portals", stats.coarse_portals).set("average_visible_share", stats.average_visible_share);
     row.set("rays", rays.rays).set("hits", rays.hits).set("claims", rays.claims);
     row.set("false_invisibles", rays.false_invisibles);
-    row.set("sampled_clusters", rays.clusters).set("row_share", rays.row_share).set("sampled_share", rays.sampled_share);
+    row.set("sampled_clusters", rays.clusters)
+        .set("row_share", rays.row_share)
+        .set("sampled_share", rays.sampled_share);
     row.set("over_estimate", rays.sampled_share > 0.0 ? rays.row_share / rays.sampled_share : 1.0);
     row.set("bytes", bytes_of(visibility));
     return row;

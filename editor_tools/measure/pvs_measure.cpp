@@ -25,10 +25,7 @@ class Dice {
         const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
         return {r * std::cos(turn), z, r * std::sin(turn)};
     }
-    glm::dvec3 in_box(const Box& box)
-    {
-        return box.min + box.size() * glm::dvec3(share(), share(), share());
-    }
+    glm::dvec3 in_box(const Box& box) { return box.min + box.size() * glm::dvec3(share(), share(), share()); }
     glm::dvec3 near_triangle(const SightTriangle& triangle, double reach)
     {
         double u = share(), v = share();

@@ -17,25 +17,35 @@ namespace {
 
 using Rational3 = std::array<mpq_class, 3>;
 
-Rational3 rational(const glm::dvec3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
+Rational3 rational(const glm::dvec3& p)
+{
+    return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)};
+}
 
-Rational3 difference(const Rational3& a, const Rational3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Rational3 difference(const Rational3& a, const Rational3& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 Rational3 cross(const Rational3& a, const Rational3& b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-mpq_class dot(const Rational3& a, const Rational3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+mpq_class dot(const Rational3& a, const Rational3& b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 struct Crossing {
-    mpq_class along;          ///< In units of the direction.
-    bool is_inside = false;   ///< Strictly; false: on an edge or a corner.
+    mpq_class along;         ///< In units of the direction.
+    bool is_inside = false;  ///< Strictly; false: on an edge or a corner.
     bool from_front = false;
 };
 
 /// Where a ray crosses a closed triangle; nothing if it misses it or runs within its plane.
-std::optional<Crossing> exact_crossing(const SightTriangle& triangle, const Rational3& origin, const Rational3& direction)
+std::optional<Crossing> exact_crossing(const SightTriangle& triangle, const Rational3& origin,
+                                       const Rational3& direction)
 {
     const Rational3 a = rational(triangle.a), b = rational(triangle.b), c = rational(triangle.c);
     const Rational3 normal = cross(difference(b, a), difference(c, a));
@@ -70,7 +80,10 @@ bool may_cross(const SightTriangle& triangle, const glm::dvec3& origin, const gl
     return all_up || all_down;
 }
 
-bool is_drawn_from(const SightTriangle& triangle, bool from_front) { return from_front || triangle.is_double_sided; }
+bool is_drawn_from(const SightTriangle& triangle, bool from_front)
+{
+    return from_front || triangle.is_double_sided;
+}
 
 }  // namespace
 
@@ -90,7 +103,11 @@ std::vector<SightTriangle> sight_triangles(const Scene& scene, std::span<const M
                 const auto corner = [&](std::uint32_t k) {
                     return glm::dvec3(matrix * glm::dvec4(glm::dvec3(mesh.positions[mesh.indices[i + k]]), 1.0));
                 };
-                SightTriangle triangle{corner(0), corner(1), corner(2), slot, material.is_double_sided,
+                SightTriangle triangle{corner(0),
+                                       corner(1),
+                                       corner(2),
+                                       slot,
+                                       material.is_double_sided,
                                        is_static && material.alpha_mode == AlphaMode::opaque};
                 if (is_mirrored) std::swap(triangle.b, triangle.c);
                 const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
@@ -136,7 +153,10 @@ SightRays::SightRays(std::span<const SightTriangle> triangles) : triangles_(tria
     rtcCommitScene(embree_->scene);
 }
 
-SightRays::~SightRays() { delete embree_; }
+SightRays::~SightRays()
+{
+    delete embree_;
+}
 
 void SightRays::trace(const glm::dvec3& origin, const glm::dvec3& direction, std::vector<std::uint32_t>& met) const
 {

@@ -13,9 +13,9 @@ namespace hw::measure {
 /// A drawn triangle in world space, counter-clockwise seen from where it is drawn.
 struct SightTriangle {
     glm::dvec3 a{0.0}, b{0.0}, c{0.0};
-    std::uint32_t slot = 0;        ///< Objects in order, then their chunks.
+    std::uint32_t slot = 0;  ///< Objects in order, then their chunks.
     bool is_double_sided = false;
-    bool blocks = false;           ///< Opaque and static; others are seen but do not hide.
+    bool blocks = false;  ///< Opaque and static; others are seen but do not hide.
 };
 
 /// The drawn triangles of a scene as the model states them, not snapped; triangles without area are left out.
@@ -39,8 +39,8 @@ class SightRays {
     Embree* embree_;
 };
 
-/// Whether the ray from `origin` along `direction` enters triangle `target` strictly inside, from a drawn side, before it
-/// touches any triangle that blocks from the side it comes from. Rational arithmetic: no rounding anywhere.
+/// Whether the ray from `origin` along `direction` enters triangle `target` strictly inside, from a drawn side, before
+/// it touches any triangle that blocks from the side it comes from. Rational arithmetic: no rounding anywhere.
 bool is_seen_exactly(std::span<const SightTriangle> triangles, const glm::dvec3& origin, const glm::dvec3& direction,
                      std::uint32_t target);
 

@@ -21,9 +21,9 @@ using MeshChunks = std::vector<MeshChunk>;
 /// A mesh of at most this many triangles is one chunk.
 inline constexpr std::uint32_t kMaxChunkTriangles = 256;
 
-/// Reorders the triangles of `mesh` (never their corners, never the vertices) so that near ones stand together, and cuts
-/// them into chunks of at most kMaxChunkTriangles. A small mesh keeps its order and is one chunk; an empty one has none.
-/// The same mesh gives the same order. Method: halving at the median of the centres along the longest side.
+/// Reorders the triangles of `mesh` (never their corners, never the vertices) so that near ones stand together, and
+/// cuts them into chunks of at most kMaxChunkTriangles. A small mesh keeps its order and is one chunk; an empty one has
+/// none. The same mesh gives the same order. Method: halving at the median of the centres along the longest side.
 MeshChunks split_into_chunks(MeshData& mesh);
 
 }  // namespace hw

@@ -27,7 +27,9 @@ class Words {
 
     std::string_view next(std::string_view expected)
     {
-        const auto is_gap = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '(' || c == ')'; };
+        const auto is_gap = [](char c) {
+            return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '(' || c == ')';
+        };
         while (at_ < text_.size() && is_gap(text_[at_])) ++at_;
         const std::size_t begin = at_;
         while (at_ < text_.size() && !is_gap(text_[at_])) ++at_;
@@ -41,7 +43,8 @@ class Words {
         int value = 0;
         const auto [stop, status] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (status != std::errc() || stop != word.data() + word.size() || value < least || value > most) {
-            fail(fmt::format("found \"{}\"", word), fmt::format("{}, a whole number from {} to {}", meaning, least, most));
+            fail(fmt::format("found \"{}\"", word),
+                 fmt::format("{}, a whole number from {} to {}", meaning, least, most));
         }
         return value;
     }
@@ -138,16 +141,18 @@ std::string portals_text(const PortalGraph& graph)
     // The opening back is written with the opening there: the lower leaf comes first.
     std::vector<const DirectedPortal*> written;
     for (const DirectedPortal& portal : graph.portals) {
-        const bool has_opposite = std::any_of(graph.portals.begin(), graph.portals.end(), [&](const DirectedPortal& other) {
-            return other.from_leaf == portal.to_leaf && other.to_leaf == portal.from_leaf &&
-                   other.winding.size() == portal.winding.size() &&
-                   std::is_permutation(other.winding.begin(), other.winding.end(), portal.winding.begin());
-        });
+        const bool has_opposite =
+            std::any_of(graph.portals.begin(), graph.portals.end(), [&](const DirectedPortal& other) {
+                return other.from_leaf == portal.to_leaf && other.to_leaf == portal.from_leaf &&
+                       other.winding.size() == portal.winding.size() &&
+                       std::is_permutation(other.winding.begin(), other.winding.end(), portal.winding.begin());
+            });
         if (portal.from_leaf < portal.to_leaf || !has_opposite) written.push_back(&portal);
     }
     std::string text = fmt::format("PRT1\n{}\n{}\n", graph.leaf_count, written.size());
     for (const DirectedPortal* portal : written) {
-        fmt::format_to(std::back_inserter(text), "{} {} {} ", portal->winding.size(), portal->from_leaf, portal->to_leaf);
+        fmt::format_to(std::back_inserter(text), "{} {} {} ", portal->winding.size(), portal->from_leaf,
+                       portal->to_leaf);
         for (const glm::dvec3& corner : portal->winding) {
             fmt::format_to(std::back_inserter(text), "({} {} {}) ", corner.x, corner.y, corner.z);
         }

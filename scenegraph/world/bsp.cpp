@@ -11,8 +11,8 @@ namespace hw {
 namespace {
 
 constexpr int kNone = -1;
-constexpr int kLargestTried = 16;   // candidate planes by area
-constexpr int kSampledTried = 16;   // and evenly among the others
+constexpr int kLargestTried = 16;           // candidate planes by area
+constexpr int kSampledTried = 16;           // and evenly among the others
 constexpr std::size_t kMostMeasured = 400;  // polygons that a candidate's cost is measured on
 constexpr double kCutCost = 6.0;
 constexpr double kBalanceCost = 1.0;
@@ -32,7 +32,8 @@ std::vector<Candidate> planes_by_area(const std::vector<BlockingPolygon>& polygo
     }
     std::vector<Candidate> result;
     for (const auto& [plane, plane_area] : area_of_plane) result.push_back({plane, plane_area});
-    std::stable_sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
     return result;
 }
 
@@ -121,8 +122,8 @@ int build_node(BspBuild& build, std::vector<BlockingPolygon> polygons, int clust
 {
     BspTree& tree = build.tree;
     build.depth = std::max(build.depth, depth);
-    const bool has_structure =
-        std::any_of(polygons.begin(), polygons.end(), [](const BlockingPolygon& polygon) { return !polygon.is_detail; });
+    const bool has_structure = std::any_of(polygons.begin(), polygons.end(),
+                                           [](const BlockingPolygon& polygon) { return !polygon.is_detail; });
     if (!has_structure && cluster == kNone) cluster = tree.cluster_count++;
     if (polygons.empty()) return add_leaf(tree, cluster);
 
@@ -147,7 +148,10 @@ bool is_inside(const Box& box, const glm::dvec3& p)
            p.z <= box.max.z;
 }
 
-glm::dvec3 to_grid(const Grid& grid, const glm::dvec3& p) { return (p - grid.origin_world) / grid.step_m; }
+glm::dvec3 to_grid(const Grid& grid, const glm::dvec3& p)
+{
+    return (p - grid.origin_world) / grid.step_m;
+}
 
 void collect_near(const BspTree& tree, int child, const glm::dvec3& centre_grid, double reach, std::vector<int>& leaves)
 {
@@ -161,7 +165,10 @@ void collect_near(const BspTree& tree, int child, const glm::dvec3& centre_grid,
     if (distance <= reach) collect_near(tree, node.back, centre_grid, reach, leaves);
 }
 
-int root_of(const BspTree& tree) { return tree.nodes.empty() ? ~0 : 0; }
+int root_of(const BspTree& tree)
+{
+    return tree.nodes.empty() ? ~0 : 0;
+}
 
 constexpr std::size_t kMostCorners = 48;
 

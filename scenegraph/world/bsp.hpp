@@ -28,11 +28,11 @@ struct BspNode {
     int back = ~0;   ///< Where it is negative or zero.
 };
 
-/// The tree alone, for asking where a point is. Structure splits space into clusters, details split clusters into leaves.
-/// Clusters are convex until merge_clusters(), and are what sees and is seen.
+/// The tree alone, for asking where a point is. Structure splits space into clusters, details split clusters into
+/// leaves. Clusters are convex until merge_clusters(), and are what sees and is seen.
 struct BspTree {
     Grid grid;
-    Box bounds_world;  ///< What the leaves fill; a point outside belongs to no leaf.
+    Box bounds_world;            ///< What the leaves fill; a point outside belongs to no leaf.
     std::vector<BspNode> nodes;  ///< Root first; without nodes there is one leaf, 0.
     int leaf_count = 1;
     int cluster_count = 1;
@@ -45,7 +45,7 @@ struct BspBuild {
     BspTree tree;
     PlaneSet planes;
     std::vector<int> plane_of_node;
-    std::vector<std::uint8_t> is_detail_node;  ///< Within a cluster.
+    std::vector<std::uint8_t> is_detail_node;                    ///< Within a cluster.
     std::vector<std::vector<BlockingPolygon>> polygons_of_node;  ///< The pieces that lie in each node's plane.
     std::array<std::int64_t, 3> box_min{};                       ///< Grid points.
     std::array<std::int64_t, 3> box_max{};
@@ -54,21 +54,21 @@ struct BspBuild {
 };
 
 /// Splits space by the planes of `polygons`, which lie within the box; every decision is exact, so no piece is lost,
-/// doubled or misplaced. The splitter is the plane of least measured cost (pieces cut, balance, area that it takes along)
-/// among a fixed number of candidates: the largest polygons of the node and an even sample of the rest.
+/// doubled or misplaced. The splitter is the plane of least measured cost (pieces cut, balance, area that it takes
+/// along) among a fixed number of candidates: the largest polygons of the node and an even sample of the rest.
 BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygon> polygons,
                    const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max);
 
 /// The leaf of a point, by exact signs; -1 outside of the box.
 int leaf_at(const BspTree& tree, const glm::dvec3& point_world);
 
-/// Every leaf that the ball touches, ascending; a leaf a few grid steps away may be among them. Empty if the ball is not
-/// wholly within the box.
+/// Every leaf that the ball touches, ascending; a leaf a few grid steps away may be among them. Empty if the ball is
+/// not wholly within the box.
 std::vector<int> leaves_near(const BspTree& tree, const glm::dvec3& centre_world, double radius_m);
 
-/// Every leaf that the convex polygon touches within `slack_m`, ascending, appended. At most 16 corners. `facing` is the
-/// unit normal of a polygon that is drawn from its front only: where it lies in a plane of the tree it belongs to the
-/// side that it looks to alone. Zero for a polygon that is drawn from both sides.
+/// Every leaf that the convex polygon touches within `slack_m`, ascending, appended. At most 16 corners. `facing` is
+/// the unit normal of a polygon that is drawn from its front only: where it lies in a plane of the tree it belongs to
+/// the side that it looks to alone. Zero for a polygon that is drawn from both sides.
 void leaves_of_polygon(const BspTree& tree, std::span<const glm::dvec3> corners_world, const glm::dvec3& facing,
                        double slack_m, std::vector<int>& leaves);
 

@@ -37,7 +37,8 @@ glm::dvec3 position_at(const CameraPath& path, const Segment& segment)
     const PathKey& b = path.keys[segment.first + 1];
     const double s = segment.share;
     const double duration = b.t_s - a.t_s;
-    return (2 * s * s * s - 3 * s * s + 1) * a.position + (s * s * s - 2 * s * s + s) * duration * tangent(path, segment.first) +
+    return (2 * s * s * s - 3 * s * s + 1) * a.position +
+           (s * s * s - 2 * s * s + s) * duration * tangent(path, segment.first) +
            (3 * s * s - 2 * s * s * s) * b.position + (s * s * s - s * s) * duration * tangent(path, segment.first + 1);
 }
 

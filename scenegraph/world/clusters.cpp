@@ -22,7 +22,6 @@ glm::dvec3 area_vector(const Opening& opening)
     return sum;
 }
 
-
 double area_of(std::span<const Opening> openings)
 {
     double sum = 0.0;
@@ -32,7 +31,7 @@ double area_of(std::span<const Opening> openings)
 
 /// What two clusters have in common.
 struct Border {
-    double open_m2 = 0.0;   ///< Mean of both ways.
+    double open_m2 = 0.0;  ///< Mean of both ways.
     double whole_m2 = 0.0;
 };
 
@@ -54,7 +53,8 @@ class Merger {
         while (count > options.most && !queue_.empty()) {
             const Candidate best = queue_.top();
             queue_.pop();
-            if (owner_of(best.a) != best.a || owner_of(best.b) != best.b || size_of(best.a, best.b) != best.size) continue;
+            if (owner_of(best.a) != best.a || owner_of(best.b) != best.b || size_of(best.a, best.b) != best.size)
+                continue;
             join(best.a, best.b, options);
             --count;
         }
@@ -62,7 +62,8 @@ class Merger {
 
     int owner_of(int cluster)
     {
-        while (owner_[static_cast<std::size_t>(cluster)] != cluster) cluster = owner_[static_cast<std::size_t>(cluster)];
+        while (owner_[static_cast<std::size_t>(cluster)] != cluster)
+            cluster = owner_[static_cast<std::size_t>(cluster)];
         return cluster;
     }
 
@@ -131,7 +132,8 @@ class Merger {
         owner_[static_cast<std::size_t>(b)] = a;
         boxes_[static_cast<std::size_t>(a)].add(boxes_[static_cast<std::size_t>(b)]);
         for (const int other : neighbours_of(b)) {
-            const Border old = borders_[static_cast<std::size_t>(std::min(b, other))].extract(std::max(b, other)).mapped();
+            const Border old =
+                borders_[static_cast<std::size_t>(std::min(b, other))].extract(std::max(b, other)).mapped();
             if (other == a) continue;
             Border& border = borders_[static_cast<std::size_t>(std::min(a, other))][std::max(a, other)];
             border.open_m2 += old.open_m2;
@@ -172,13 +174,16 @@ Opening hull_of(Opening points, const glm::dvec3& normal)
     return hull;
 }
 
-
-double area_of(const Opening& opening) { return 0.5 * glm::length(area_vector(opening)); }
+double area_of(const Opening& opening)
+{
+    return 0.5 * glm::length(area_vector(opening));
+}
 
 /// Openings that shrink in number: hulls of those whose hull adds least.
 class Simplifier {
  public:
-    Simplifier(std::vector<Opening> openings, const glm::dvec3& normal) : openings_(std::move(openings)), normal_(normal)
+    Simplifier(std::vector<Opening> openings, const glm::dvec3& normal)
+        : openings_(std::move(openings)), normal_(normal)
     {
         for (const Opening& opening : openings_) areas_.push_back(area_of(opening));
     }
@@ -274,8 +279,8 @@ struct Passage {
     auto operator<=>(const Passage&) const = default;
 };
 
-/// Makes each part of a cluster that has no opening to the others a cluster of its own: the inside of a chimney is not the
-/// room around it.
+/// Makes each part of a cluster that has no opening to the others a cluster of its own: the inside of a chimney is not
+/// the room around it.
 void part_clusters(BspTree& tree, std::span<const LeafContact> contacts)
 {
     std::vector<int> part(static_cast<std::size_t>(tree.leaf_count));
@@ -359,8 +364,8 @@ PortalGraph cluster_portals(const BspBuild& build, std::span<const LeafContact> 
         const glm::dvec3 normal = sign * plane.unit_normal;
         for (Opening& opening : Simplifier(std::move(openings), normal).run()) {
             if (glm::dot(area_vector(opening), normal) < 0.0) std::reverse(opening.begin(), opening.end());
-            graph.portals.push_back({passage.from, passage.to, normal, sign * plane.unit_offset * tree.grid.step_m,
-                                     std::move(opening)});
+            graph.portals.push_back(
+                {passage.from, passage.to, normal, sign * plane.unit_offset * tree.grid.step_m, std::move(opening)});
         }
     }
     return graph;

@@ -15,14 +15,14 @@ struct ClusterOptions {
     double least_open_share = 0.6;  ///< Of their contact, for two clusters to be merged at all.
 };
 
-/// Makes clusters of what is really one place, and renumbers them. Parts of a cluster that no opening joins are clusters of
-/// their own. Those without an open leaf become one, number 0 (it needs no row of its own). Of the others, pairs whose
-/// contact is mostly open are merged, smallest first; what stood between them no longer blocks: more is visible, never
-/// less.
+/// Makes clusters of what is really one place, and renumbers them. Parts of a cluster that no opening joins are
+/// clusters of their own. Those without an open leaf become one, number 0 (it needs no row of its own). Of the others,
+/// pairs whose contact is mostly open are merged, smallest first; what stood between them no longer blocks: more is
+/// visible, never less.
 void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options);
 
-/// The openings between the clusters. Those of one passage in one plane become their hull where that adds little, or where
-/// they are too many.
+/// The openings between the clusters. Those of one passage in one plane become their hull where that adds little, or
+/// where they are too many.
 PortalGraph cluster_portals(const BspBuild& build, std::span<const LeafContact> contacts);
 
 /// A box around each cluster, world space.

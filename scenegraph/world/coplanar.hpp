@@ -28,8 +28,8 @@ struct FlatPolygon {
 };
 
 /// Lays triangles into shared planes (those whose corners are within `tolerance` grid steps of the plane of a larger
-/// triangle join it), then merges those of one plane, one pair of sides and one naming across shared edges, while the union is
-/// exactly convex and has at most 32 corners. Triangles without area are left out.
+/// triangle join it), then merges those of one plane, one pair of sides and one naming across shared edges, while the
+/// union is exactly convex and has at most 32 corners. Triangles without area are left out.
 std::vector<FlatPolygon> merge_coplanar(std::span<const GridTriangle> triangles, double tolerance);
 
 }  // namespace hw

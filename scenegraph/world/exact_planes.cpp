@@ -1,6 +1,6 @@
-// Why the filter bound holds: corners are clipped to the box of the tree, |x| <= 2^27 for each coordinate and rounded to
-// 2^-25; a unit normal is rounded to 2^-52 and an offset of at most 2^29 to 2^-23. The rounded distance is therefore off
-// by less than 2^-20, and kSureDistance leaves a factor of four.
+// Why the filter bound holds: corners are clipped to the box of the tree, |x| <= 2^27 for each coordinate and rounded
+// to 2^-25; a unit normal is rounded to 2^-52 and an offset of at most 2^29 to 2^-23. The rounded distance is therefore
+// off by less than 2^-20, and kSureDistance leaves a factor of four.
 #include "world/exact_planes.hpp"
 
 #include <algorithm>
@@ -17,7 +17,10 @@ constexpr double kSureDistance = 1.0 / 262144.0;  // 2^-18 of a grid step
 
 using Normal = std::array<std::int64_t, 3>;
 
-Int128 product(std::int64_t a, std::int64_t b) { return static_cast<Int128>(a) * b; }
+Int128 product(std::int64_t a, std::int64_t b)
+{
+    return static_cast<Int128>(a) * b;
+}
 
 std::array<Int128, 3> cross(const Normal& a, const Normal& b)
 {
@@ -61,7 +64,10 @@ bool looks_forward(const Normal& normal)
     return true;
 }
 
-double to_double(Int128 value) { return static_cast<double>(value); }
+double to_double(Int128 value)
+{
+    return static_cast<double>(value);
+}
 
 }  // namespace
 

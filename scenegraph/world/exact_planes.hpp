@@ -13,8 +13,8 @@ namespace hw {
 
 using Int128 = __int128;
 
-/// A cubic grid of points: world = origin + step * grid point. The step is a power of two, so that grid coordinates of a
-/// world position below are exact up to the subtraction of the origin.
+/// A cubic grid of points: world = origin + step * grid point. The step is a power of two, so that grid coordinates of
+/// a world position below are exact up to the subtraction of the origin.
 struct Grid {
     glm::dvec3 origin_world{0.0};
     double step_m = 1.0 / 131072.0;
@@ -23,7 +23,8 @@ struct Grid {
 /// Grid coordinates never leave [-kMaxGridCoordinate, kMaxGridCoordinate]: the width of every product follows from it.
 inline constexpr std::int64_t kMaxGridCoordinate = std::int64_t{1} << 26;
 
-/// The grid for `bounds_world`: centred, 2^-17 m (7.6e-6 m) fine, coarser only where the scene is larger than a kilometre.
+/// The grid for `bounds_world`: centred, 2^-17 m (7.6e-6 m) fine, coarser only where the scene is larger than a
+/// kilometre.
 Grid grid_for(const Box& bounds_world);
 
 /// The nearest grid point.

@@ -11,7 +11,10 @@ namespace hw {
 /// A set of leaves as bits.
 using LeafBits = std::vector<std::uint64_t>;
 
-inline void set_bit(LeafBits& bits, int leaf) { bits[static_cast<std::size_t>(leaf) / 64] |= std::uint64_t{1} << (leaf % 64); }
+inline void set_bit(LeafBits& bits, int leaf)
+{
+    bits[static_cast<std::size_t>(leaf) / 64] |= std::uint64_t{1} << (leaf % 64);
+}
 
 inline bool has_bit(const LeafBits& bits, int leaf)
 {
@@ -30,8 +33,8 @@ struct FlowPortal {
     int to_leaf = 0;
     FlowPlane plane;
     Winding winding;
-    LeafBits sees;    ///< At most these leaves: coarse first, then what the flow finds.
-    LeafBits surely;  ///< At least these.
+    LeafBits sees;          ///< At most these leaves: coarse first, then what the flow finds.
+    LeafBits surely;        ///< At least these.
     bool is_coarse = true;  ///< The flow has not finished, if it has begun.
 };
 

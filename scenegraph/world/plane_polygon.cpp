@@ -9,12 +9,19 @@
 namespace hw {
 namespace {
 
-int previous(int corner, int count) { return corner == 0 ? count - 1 : corner - 1; }
+int previous(int corner, int count)
+{
+    return corner == 0 ? count - 1 : corner - 1;
+}
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
 
 /// The vertical plane over the line from a to b in the (u, v) plane; its inside is to the left.
-SidePlane side_plane(PlaneSet& planes, int axis, const std::array<std::int64_t, 2>& a, const std::array<std::int64_t, 2>& b)
+SidePlane side_plane(PlaneSet& planes, int axis, const std::array<std::int64_t, 2>& a,
+                     const std::array<std::int64_t, 2>& b)
 {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
@@ -66,9 +73,8 @@ PlanePolygon clipped(const PlaneSet& planes, const PlanePolygon& polygon, SidePl
                                         : polygon.corners[at(i)]);
         if (inside[at(next)] > 0 || (inside[at(next)] == 0 && inside[at((next + 1) % count)] > 0)) continue;
         result.sides.push_back(cut);
-        result.corners.push_back(inside[at(next)] == 0
-                                     ? polygon.corners[at(next)]
-                                     : planes.meeting_point(polygon.plane, side.plane, cut.plane));
+        result.corners.push_back(inside[at(next)] == 0 ? polygon.corners[at(next)]
+                                                       : planes.meeting_point(polygon.plane, side.plane, cut.plane));
     }
     HW_ASSERT(result.sides.size() >= 3);
     return result;

@@ -14,8 +14,8 @@ namespace hw {
 /// Cutting one adds planes and never moves a corner: pieces of a polygon cover exactly what it covered.
 struct PlanePolygon {
     int plane = 0;
-    std::vector<SidePlane> sides;      ///< In order around; side i runs from corner i to corner i + 1.
-    std::vector<glm::dvec3> corners;   ///< As many as there are sides, at least three.
+    std::vector<SidePlane> sides;     ///< In order around; side i runs from corner i to corner i + 1.
+    std::vector<glm::dvec3> corners;  ///< As many as there are sides, at least three.
 
     int corner_count() const { return static_cast<int>(sides.size()); }
 };

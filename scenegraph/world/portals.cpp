@@ -1,6 +1,6 @@
-// A node's portal is its plane within its cell, handed down both subtrees: a piece that arrives in leaf F in front and in
-// leaf B behind is all of their contact. Everything up to the cutting away of covered parts is exact; the rounded hull of
-// what remains may only be larger.
+// A node's portal is its plane within its cell, handed down both subtrees: a piece that arrives in leaf F in front and
+// in leaf B behind is all of their contact. Everything up to the cutting away of covered parts is exact; the rounded
+// hull of what remains may only be larger.
 #include "world/portals.hpp"
 
 #include <algorithm>
@@ -78,7 +78,6 @@ Pieces uncovered(const BspBuild& build, const PlanePolygon& contact, const std::
     }
     return pieces;
 }
-
 
 /// The least distance between two parallel lines of the plane that hold the polygon between them.
 double width_of(const Opening& winding, const glm::dvec3& normal)
@@ -170,8 +169,8 @@ double total_area(const Pieces& pieces)
     return sum;
 }
 
-LeafContact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon& polygon, int front_leaf, int back_leaf,
-                     Surroundings& surroundings)
+LeafContact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon& polygon, int front_leaf,
+                         int back_leaf, Surroundings& surroundings)
 {
     const ExactPlane& plane = build.tree.nodes[node].plane;
     const double step_m = build.tree.grid.step_m;
@@ -179,7 +178,12 @@ LeafContact make_contact(const BspBuild& build, std::size_t node, const PlanePol
     const Pieces backward = uncovered(build, polygon, covers, true);
     const Pieces forward = uncovered(build, polygon, covers, false);
     const double whole = area(polygon);
-    LeafContact contact{node, front_leaf, back_leaf, whole * step_m * step_m, {}, openings(backward, plane, step_m),
+    LeafContact contact{node,
+                        front_leaf,
+                        back_leaf,
+                        whole * step_m * step_m,
+                        {},
+                        openings(backward, plane, step_m),
                         openings(forward, plane, step_m)};
     for (const glm::dvec3& corner : polygon.corners) contact.bounds.add(corner * step_m);
     if (!contact.backward.empty() && !contact.forward.empty()) surroundings.join(front_leaf, back_leaf);
@@ -220,8 +224,10 @@ void keep_unreachable(const std::vector<LeafContact>& contacts, std::vector<std:
 {
     std::vector<std::vector<int>> open_to(is_solid.size());
     for (const LeafContact& contact : contacts) {
-        if (!contact.backward.empty()) open_to[static_cast<std::size_t>(contact.front_leaf)].push_back(contact.back_leaf);
-        if (!contact.forward.empty()) open_to[static_cast<std::size_t>(contact.back_leaf)].push_back(contact.front_leaf);
+        if (!contact.backward.empty())
+            open_to[static_cast<std::size_t>(contact.front_leaf)].push_back(contact.back_leaf);
+        if (!contact.forward.empty())
+            open_to[static_cast<std::size_t>(contact.back_leaf)].push_back(contact.front_leaf);
     }
     std::vector<int> pending;
     for (std::size_t leaf = 0; leaf < is_solid.size(); ++leaf) {

@@ -1,6 +1,6 @@
-// Portals are done in rounds and batches, those that see little first. A batch may use what earlier batches found (a portal behind
-// another sees at most what that one sees), never what its own batch finds: so the rows do not depend on the number of
-// threads.
+// Portals are done in rounds and batches, those that see little first. A batch may use what earlier batches found (a
+// portal behind another sees at most what that one sees), never what its own batch finds: so the rows do not depend on
+// the number of threads.
 #include "world/pvs.hpp"
 
 #include <algorithm>
@@ -23,7 +23,8 @@ FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
     flow.tolerance = {options.slack, options.least};
     flow.portals.reserve(graph.portals.size());
     for (const DirectedPortal& portal : graph.portals) {
-        flow.portals_out_of[static_cast<std::size_t>(portal.from_leaf)].push_back(static_cast<int>(flow.portals.size()));
+        flow.portals_out_of[static_cast<std::size_t>(portal.from_leaf)].push_back(
+            static_cast<int>(flow.portals.size()));
         FlowPortal& made = flow.portals.emplace_back();
         made.to_leaf = portal.to_leaf;
         made.plane = {portal.normal, portal.offset};
@@ -85,7 +86,11 @@ struct FlowLimits {
 class Flow {
  public:
     Flow(const FlowGraph& graph, const FlowPortal& source, const FlowLimits& limits)
-        : graph_(graph), source_(source), limits_(limits), words_(source.sees.size()), sees_(source.surely),
+        : graph_(graph),
+          source_(source),
+          limits_(limits),
+          words_(source.sees.size()),
+          sees_(source.surely),
           is_on_way_(graph.portals.size())
     {
     }
@@ -136,7 +141,8 @@ class Flow {
         if (!clip(next.pass, here.pass_plane, tolerance)) return false;
         cost_ += 4;
         const FlowPlane pass_back{-here.pass_plane.normal, -here.pass_plane.offset};
-        if (!clip_to_separators(next.pass, {next.source, source_.plane, here.pass, false, false}, tolerance)) return false;
+        if (!clip_to_separators(next.pass, {next.source, source_.plane, here.pass, false, false}, tolerance))
+            return false;
         if (!clip_to_separators(next.pass, {here.pass, pass_back, next.source, true, true}, tolerance)) return false;
         // The same from the far end: what of the source can be reached from what is left of the portal.
         cost_ += 4;
@@ -232,8 +238,8 @@ std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits)
     return cost;
 }
 
-/// Rounds of rising depth: what a shallow round rules out for all portals makes the next cheaper. Returns how many portals
-/// stay coarse.
+/// Rounds of rising depth: what a shallow round rules out for all portals makes the next cheaper. Returns how many
+/// portals stay coarse.
 int flow_all(FlowGraph& graph, const PvsOptions& options)
 {
     constexpr double kStepsPerSecond = 4e6;  // roughly; a count, not a clock, so that rows stay the same

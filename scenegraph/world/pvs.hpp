@@ -27,7 +27,9 @@ class LeafRows {
  public:
     LeafRows() = default;
     LeafRows(int leaf_count, int column_count)
-        : leaf_count_(leaf_count), column_count_(column_count), words_((static_cast<std::size_t>(column_count) + 63) / 64),
+        : leaf_count_(leaf_count),
+          column_count_(column_count),
+          words_((static_cast<std::size_t>(column_count) + 63) / 64),
           bits_(words_ * static_cast<std::size_t>(leaf_count))
     {
     }
@@ -74,20 +76,20 @@ enum class PvsEffort : std::uint8_t {
 
 struct PvsOptions {
     PvsEffort effort = PvsEffort::full;
-    double seconds = 0.0;     ///< Rough time after which portals keep the coarse answer; 0: no limit.
-    int threads = 0;          ///< 0: as many as the machine has.
-    double slack = 1e-9;      ///< Length by which every clip keeps more than it should.
-    double least = 1e-5;      ///< A sight line this narrow at its far portal is tangential and counts as none.
+    double seconds = 0.0;  ///< Rough time after which portals keep the coarse answer; 0: no limit.
+    int threads = 0;       ///< 0: as many as the machine has.
+    double slack = 1e-9;   ///< Length by which every clip keeps more than it should.
+    double least = 1e-5;   ///< A sight line this narrow at its far portal is tangential and counts as none.
 };
 
 struct PvsResult {
-    LeafRows rows;  ///< Leaves by leaves; every leaf sees itself.
+    LeafRows rows;           ///< Leaves by leaves; every leaf sees itself.
     int coarse_portals = 0;  ///< Those that ran out of time.
 };
 
 /// Which leaves can be seen from somewhere in each leaf through the portals. Conservative.
-/// Source: Teller, Sequin. Visibility preprocessing for interactive walkthroughs. SIGGRAPH 1991; the flow with separating
-/// planes between source and pass portal follows the description of Quake's vis.
+/// Source: Teller, Sequin. Visibility preprocessing for interactive walkthroughs. SIGGRAPH 1991; the flow with
+/// separating planes between source and pass portal follows the description of Quake's vis.
 PvsResult build_pvs(const PortalGraph& graph, const PvsOptions& options);
 
 }  // namespace hw

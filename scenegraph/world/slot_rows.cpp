@@ -27,7 +27,10 @@ struct Presence {
 };
 
 /// How far a drawn triangle may lie from its snapped copy, and a little.
-double slack_m(const Grid& grid) { return std::max(4.0 * grid.step_m, 3e-5); }
+double slack_m(const Grid& grid)
+{
+    return std::max(4.0 * grid.step_m, 3e-5);
+}
 
 bool is_partly_in_front(const Box& box, const Facing& facing, double slack)
 {
@@ -112,10 +115,10 @@ LeafRows slots_seen(const SlotPlaces& places, const LeafRows& clusters_seen)
             for (const Presence& presence : presences[static_cast<std::size_t>(seen)]) {
                 const int slot = static_cast<int>(presence.slot);
                 if (rows.sees(cluster, slot)) continue;
-                const bool is_seen = presence.faces_all ||
-                                     std::any_of(presence.facings.begin(), presence.facings.end(), [&](const Facing& facing) {
-                                         return is_partly_in_front(box, facing, slack);
-                                     });
+                const bool is_seen =
+                    presence.faces_all ||
+                    std::any_of(presence.facings.begin(), presence.facings.end(),
+                                [&](const Facing& facing) { return is_partly_in_front(box, facing, slack); });
                 if (is_seen) rows.show(cluster, slot);
             }
         });

@@ -26,8 +26,9 @@ struct SlotPlaces {
     std::span<const Box> cluster_boxes;  ///< World space.
 };
 
-/// The slots that each cluster may see: those with a triangle in an open leaf of a cluster that it sees, drawn from a side
-/// on which a part of the seeing cluster lies (the top of a wall is not seen from below). Animated objects are seen by all.
+/// The slots that each cluster may see: those with a triangle in an open leaf of a cluster that it sees, drawn from a
+/// side on which a part of the seeing cluster lies (the top of a wall is not seen from below). Animated objects are
+/// seen by all.
 LeafRows slots_seen(const SlotPlaces& places, const LeafRows& clusters_seen);
 
 }  // namespace hw

@@ -1,8 +1,8 @@
 #include "world/structure.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numeric>
@@ -45,8 +45,7 @@ std::vector<char> named_nodes(const Scene& scene, const Level& level)
     return result;
 }
 
-void add_object(const Scene& scene, ObjectId id, const Grid& grid, bool is_named,
-                std::vector<GridTriangle>& triangles)
+void add_object(const Scene& scene, ObjectId id, const Grid& grid, bool is_named, std::vector<GridTriangle>& triangles)
 {
     const Object& object = scene.objects[id];
     const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
@@ -69,8 +68,8 @@ void add_object(const Scene& scene, ObjectId id, const Grid& grid, bool is_named
 
 void set_box(Structure& structure, const Box& bounds_world)
 {
-    // A sight line between two points of the box never leaves it, so the box is as tight as can be: what lies in its faces
-    // blocks nothing, and there is no outside to look around through.
+    // A sight line between two points of the box never leaves it, so the box is as tight as can be: what lies in its
+    // faces blocks nothing, and there is no outside to look around through.
     structure.box_min = snapped(structure.grid, bounds_world.min);
     structure.box_max = snapped(structure.grid, bounds_world.max);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -102,7 +101,7 @@ double largest_side(const Box& box)
 
 /// The planes of the polygons; the area in each is what counts: a wall may be made of many small panels.
 void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, const StructureOptions& options,
-                      Structure& structure)
+                     Structure& structure)
 {
     const double square_m = structure.grid.step_m * structure.grid.step_m;
     const std::vector<int> of_box = box_planes(structure);
@@ -121,7 +120,8 @@ void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, con
     });
     const double least = options.least_area_share * structure.scene_side_m2 / square_m;
     const double least_named = 0.1 * least;
-    const std::size_t most = static_cast<std::size_t>(options.max_structure) + static_cast<std::size_t>(options.max_details);
+    const std::size_t most =
+        static_cast<std::size_t>(options.max_structure) + static_cast<std::size_t>(options.max_details);
     structure.left_out = static_cast<int>(order.size() - std::min(order.size(), most));
     order.resize(std::min(order.size(), most));
     for (const std::size_t i : order) {

@@ -61,7 +61,7 @@ bool is_within(const FlowPortal& portal, const glm::dvec3& point)
 }
 
 struct Place {
-    int leaf = 0;       ///< -1: the line meets a wall.
+    int leaf = 0;  ///< -1: the line meets a wall.
     double along = 0.0;
 };
 

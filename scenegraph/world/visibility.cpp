@@ -32,8 +32,8 @@ std::vector<std::uint8_t> open_clusters(const PortalGraph& graph)
     return result;
 }
 
-double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, const Visibility& visibility,
-                             const PortalGraph& graph)
+double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh,
+                             const Visibility& visibility, const PortalGraph& graph)
 {
     std::vector<double> triangles;
     for (const ChunkSlot& slot : visibility.slots) {
@@ -67,8 +67,8 @@ BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOpti
 }
 
 /// The union of the rows (of clusters or of slots) that an eye needs; empty where it sees everything.
-std::vector<std::uint64_t> union_of_rows(const Visibility& visibility, const LeafRows& rows, const glm::dvec3& eye_world,
-                                         double radius_m)
+std::vector<std::uint64_t> union_of_rows(const Visibility& visibility, const LeafRows& rows,
+                                         const glm::dvec3& eye_world, double radius_m)
 {
     const BspTree& tree = visibility.tree;
     const std::vector<int> leaves = leaves_near(tree, eye_world, radius_m);

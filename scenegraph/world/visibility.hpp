@@ -17,19 +17,19 @@ namespace hw {
 /// How the potentially visible set is made. Every choice is conservative.
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
-    int max_structure_polygons = 20000; ///< The largest planes win; what does not is detail.
-    int max_detail_polygons = 40000;    ///< Details past this do not block.
+    int max_structure_polygons = 20000;  ///< The largest planes win; what does not is detail.
+    int max_detail_polygons = 40000;     ///< Details past this do not block.
     double least_area_share = 1.5e-2;    ///< Least area in one plane, of the largest side of the scene's box.
-    int max_clusters = 1000;            ///< Past this small ones that are open to each other are merged.
-    double flow_seconds = 10.0;         ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
-    int threads = 0;                    ///< 0: as many as the machine has.
+    int max_clusters = 1000;             ///< Past this small ones that are open to each other are merged.
+    double flow_seconds = 10.0;  ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
+    int threads = 0;             ///< 0: as many as the machine has.
 };
 
 struct VisibilityStats {
     int structure_polygons = 0;
     int detail_polygons = 0;
     int leaves = 0;
-    int solid_leaves = 0;                ///< Inside of walls: an eye there sees everything.
+    int solid_leaves = 0;  ///< Inside of walls: an eye there sees everything.
     int clusters = 0;
     int portals = 0;
     int coarse_portals = 0;              ///< Portals whose flow ran out of budget and kept the coarse answer.
@@ -40,26 +40,26 @@ struct VisibilityStats {
 /// What can be seen from where: a BSP over the structure, and for each of its clusters the chunks to draw.
 struct Visibility {
     BspTree tree;
-    LeafRows rows;                 ///< Clusters by clusters.
-    LeafRows slot_rows;            ///< Clusters by slots: what is drawn.
-    std::vector<ChunkSlot> slots;  ///< Objects in order, then their chunks.
+    LeafRows rows;                                    ///< Clusters by clusters.
+    LeafRows slot_rows;                               ///< Clusters by slots: what is drawn.
+    std::vector<ChunkSlot> slots;                     ///< Objects in order, then their chunks.
     std::vector<std::uint32_t> first_slot_of_object;  ///< One more than there are objects.
     VisibilityStats stats;
 };
 
 /// Compiles the visibility of a scene.
 ///
-/// Structure is what Level::structure names, else what lies in the largest planes; see choose_structure(). Only opaque and
-/// static triangles block, never mask, blend or animated ones. A surface blocks only from the sides from
-/// which it is drawn: a single-sided wall seen from behind is transparent, so what lies before it is seen from there.
-/// Unsealed and empty scenes work: outside is leaves like any other. Never hides what can be seen through an opening
-/// wider than kCrackWidth; where a budget runs out, more is visible, never less.
-/// `chunks_of_mesh`: one entry for each mesh of the scene.
+/// Structure is what Level::structure names, else what lies in the largest planes; see choose_structure(). Only opaque
+/// and static triangles block, never mask, blend or animated ones. A surface blocks only from the sides from which it
+/// is drawn: a single-sided wall seen from behind is transparent, so what lies before it is seen from there. Unsealed
+/// and empty scenes work: outside is leaves like any other. Never hides what can be seen through an opening wider than
+/// kCrackWidth; where a budget runs out, more is visible, never less. `chunks_of_mesh`: one entry for each mesh of the
+/// scene.
 Visibility build_visibility(const Scene& scene, const Level& level, std::span<const MeshChunks> chunks_of_mesh,
                             const VisibilityOptions& options);
 
-/// Sets `is_visible` to one byte per slot: 1 if the chunk may be seen by an eye within `near_radius_m` of `eye_world` (the
-/// near plane pokes through walls). An eye inside of a wall or outside of the compiled box sees everything.
+/// Sets `is_visible` to one byte per slot: 1 if the chunk may be seen by an eye within `near_radius_m` of `eye_world`
+/// (the near plane pokes through walls). An eye inside of a wall or outside of the compiled box sees everything.
 void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m,
                     std::vector<std::uint8_t>& is_visible_by_chunk_slot);
 

@@ -6,8 +6,8 @@
 
 namespace hw {
 
-/// A signed whole number of 320 bits in two's complement: wide enough for the determinant of four grid planes (262 bits).
-/// Overflow wraps; whoever adds a product shows that it fits.
+/// A signed whole number of 320 bits in two's complement: wide enough for the determinant of four grid planes (262
+/// bits). Overflow wraps; whoever adds a product shows that it fits.
 class WideInt {
  public:
     WideInt() = default;

@@ -1,7 +1,7 @@
-// A plane through side i of the source makes an angle with it. In the frame of the side (L: inwards in the source's plane,
-// N: the source's normal) each corner of the pass is a point (beta, alpha); the separating plane goes through the one
-// that leans furthest inwards, largest beta / alpha. Every other corner is then in front and the source behind, because it
-// is convex: nothing is left to test.
+// A plane through side i of the source makes an angle with it. In the frame of the side (L: inwards in the source's
+// plane, N: the source's normal) each corner of the pass is a point (beta, alpha); the separating plane goes through
+// the one that leans furthest inwards, largest beta / alpha. Every other corner is then in front and the source behind,
+// because it is convex: nothing is left to test.
 #include "world/winding.hpp"
 
 #include <cmath>
@@ -38,7 +38,8 @@ void enclose(std::span<const glm::dvec3> corners, Winding& winding)
 }
 
 /// The plane through side i of the source that parts it from the pass; false if there is none that is certain.
-bool separator(const Separation& between, const std::array<double, Winding::kMostCorners>& alphas, int i, FlowPlane& plane)
+bool separator(const Separation& between, const std::array<double, Winding::kMostCorners>& alphas, int i,
+               FlowPlane& plane)
 {
     const Winding& source = between.source;
     const glm::dvec3& from = source[i];

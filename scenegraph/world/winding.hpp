@@ -43,10 +43,10 @@ struct ClipTolerance {
 /// whole.
 bool clip(Winding& winding, const FlowPlane& plane, const ClipTolerance& tolerance);
 
-/// Clips `target` by the planes through a side of `source` and a corner of `pass` that part the two: what a line through
-/// both can reach beyond `pass`. `source_plane` is the plane of `source`, its normal towards `pass`; the winding of `source`
-/// runs counter-clockwise about it (`is_reversed`: clockwise). With `keeps_source_side` the part on the side of the source
-/// is kept: for sides of the pass, seen from the far end. False if nothing is left.
+/// Clips `target` by the planes through a side of `source` and a corner of `pass` that part the two: what a line
+/// through both can reach beyond `pass`. `source_plane` is the plane of `source`, its normal towards `pass`; the
+/// winding of `source` runs counter-clockwise about it (`is_reversed`: clockwise). With `keeps_source_side` the part on
+/// the side of the source is kept: for sides of the pass, seen from the far end. False if nothing is left.
 struct Separation {
     const Winding& source;
     FlowPlane source_plane;

@@ -7,7 +7,8 @@
 namespace hw {
 namespace {
 
-constexpr const char* kThreeLeaves = "PRT1\n3\n2\n4 0 1 (0 0 0 ) (0 1 0 ) (0 1 1 ) (0 0 1 )\n4 1 2 (2 0 0 ) (2 1 0 ) (2 1 1 ) (2 0 1 )\n";
+constexpr const char* kThreeLeaves =
+    "PRT1\n3\n2\n4 0 1 (0 0 0 ) (0 1 0 ) (0 1 1 ) (0 0 1 )\n4 1 2 (2 0 0 ) (2 1 0 ) (2 1 1 ) (2 0 1 )\n";
 
 TEST(portal_file, reads_both_directions_of_each_portal)
 {
@@ -45,9 +46,10 @@ TEST(portal_file, a_portal_without_area_is_left_out)
 TEST(portal_file, bad_text_is_refused_with_its_line)
 {
     for (const char* text :
-         {"", "PRT3\n1\n0\n", "PRT1\n-1\n0\n", "PRT1\n99999999999\n0\n", "PRT1\n2\n1\n", "PRT1\n2\n1\n3 0 2 (0 0 0) (0 1 0) (0 1 1)\n",
-          "PRT1\n2\n1\n2 0 1 (0 0 0) (0 1 0)\n", "PRT1\n2\n1\n3 0 1 (0 0 nan) (0 1 0) (0 1 1)\n",
-          "PRT1\n2\n1\n3 0 1 (0 0 1e300) (0 1 0) (0 1 1)\n", "PRT1\n2\n1\n3 0 1 (0 0 x) (0 1 0) (0 1 1)\n"}) {
+         {"", "PRT3\n1\n0\n", "PRT1\n-1\n0\n", "PRT1\n99999999999\n0\n", "PRT1\n2\n1\n",
+          "PRT1\n2\n1\n3 0 2 (0 0 0) (0 1 0) (0 1 1)\n", "PRT1\n2\n1\n2 0 1 (0 0 0) (0 1 0)\n",
+          "PRT1\n2\n1\n3 0 1 (0 0 nan) (0 1 0) (0 1 1)\n", "PRT1\n2\n1\n3 0 1 (0 0 1e300) (0 1 0) (0 1 1)\n",
+          "PRT1\n2\n1\n3 0 1 (0 0 x) (0 1 0) (0 1 1)\n"}) {
         try {
             parse_portals(text, "t.prt");
             FAIL() << text;

@@ -45,7 +45,8 @@ int rational_sign(const Grid& grid, const ExactPlane& plane, const glm::dvec3& p
 {
     const auto whole = [](Int128 value) {
         const bool is_negative = value < 0;
-        unsigned __int128 rest = is_negative ? -static_cast<unsigned __int128>(value) : static_cast<unsigned __int128>(value);
+        unsigned __int128 rest =
+            is_negative ? -static_cast<unsigned __int128>(value) : static_cast<unsigned __int128>(value);
         mpz_class result = static_cast<unsigned long>(rest >> 64);
         result = (result << 64) + mpz_class(static_cast<unsigned long>(rest));
         return is_negative ? mpz_class(-result) : result;
@@ -148,7 +149,8 @@ TEST(bsp, tiny_fragments_keep_their_area)
     for (int i = 0; i < 60; ++i) {
         const double angle = 3.14159265358979 * i / 60.0;
         const glm::dvec3 out(5 * std::cos(angle), 0, 5 * std::sin(angle));
-        builder.quad({{-out - glm::dvec3(0, 3, 0), out - glm::dvec3(0, 3, 0), out + glm::dvec3(0, 3, 0), -out + glm::dvec3(0, 3, 0)}});
+        builder.quad({{-out - glm::dvec3(0, 3, 0), out - glm::dvec3(0, 3, 0), out + glm::dvec3(0, 3, 0),
+                       -out + glm::dvec3(0, 3, 0)}});
     }
     expect_exact(built(builder.scene()), 7);
 }

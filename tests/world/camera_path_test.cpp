@@ -15,7 +15,10 @@ CameraPath path_of(std::vector<PathKey> keys)
     return path;
 }
 
-void expect_near(const glm::dvec3& a, const glm::dvec3& b) { EXPECT_LT(glm::length(a - b), 1e-9); }
+void expect_near(const glm::dvec3& a, const glm::dvec3& b)
+{
+    EXPECT_LT(glm::length(a - b), 1e-9);
+}
 
 TEST(camera_path, passes_its_keys)
 {
@@ -35,14 +38,17 @@ TEST(camera_path, is_clamped_to_its_ends)
 
 TEST(camera_path, keys_on_a_line_at_even_speed_give_even_motion)
 {
-    const CameraPath path = path_of({{0, {0, 0, 0}, {0, 0, -1}}, {1, {1, 0, 0}, {1, 0, -1}}, {3, {3, 0, 0}, {3, 0, -1}}});
+    const CameraPath path =
+        path_of({{0, {0, 0, 0}, {0, 0, -1}}, {1, {1, 0, 0}, {1, 0, -1}}, {3, {3, 0, 0}, {3, 0, -1}}});
     for (double t = 0; t <= 3; t += 0.1) expect_near(camera_at(path, t).eye_world, {t, 0, 0});
 }
 
 TEST(camera_path, velocity_has_no_jump_at_a_key)
 {
-    const CameraPath path =
-        path_of({{0, {0, 0, 0}, {0, 0, -1}}, {1, {1, 2, 0}, {1, 0, -1}}, {4, {3, -1, 5}, {3, 0, -1}}, {5, {0, 0, 0}, {1, 1, 1}}});
+    const CameraPath path = path_of({{0, {0, 0, 0}, {0, 0, -1}},
+                                     {1, {1, 2, 0}, {1, 0, -1}},
+                                     {4, {3, -1, 5}, {3, 0, -1}},
+                                     {5, {0, 0, 0}, {1, 1, 1}}});
     const double h = 1e-6;
     const auto eye = [&](double t) { return camera_at(path, t).eye_world; };
     for (const double t : {1.0, 4.0}) {

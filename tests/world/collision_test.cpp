@@ -77,7 +77,8 @@ TEST(collision, a_thin_post_and_an_edge_stop)
     const CollisionWorld world = build_collision_world(builder.scene(), {});
     const SweepHit hit = sweep_capsule(world, {-3, 0.1, 0.2}, {3, 0.1, 0.2}, kWalker);
     ASSERT_TRUE(hit.is_hit);
-    EXPECT_NEAR(std::hypot(hit.foot_world.x - (-0.01), hit.foot_world.z - 0.01), kWalker.radius_m + kCollisionSkin, 1e-4);
+    EXPECT_NEAR(std::hypot(hit.foot_world.x - (-0.01), hit.foot_world.z - 0.01), kWalker.radius_m + kCollisionSkin,
+                1e-4);
     EXPECT_FALSE(sweep_capsule(world, {-3, 0.1, 0.32}, {3, 0.1, 0.32}, kWalker).is_hit);
 }
 
@@ -122,7 +123,8 @@ TEST(collision, random_walks_in_a_closed_room_never_leave_it)
     std::uniform_real_distribution<double> step(-4.0, 4.0);
     glm::dvec3 foot(2, 0.5, -2);
     for (int i = 0; i < 20000; ++i) {
-        foot = sweep_capsule(world, foot, foot + glm::dvec3(step(engine), step(engine), step(engine)), kWalker).foot_world;
+        foot =
+            sweep_capsule(world, foot, foot + glm::dvec3(step(engine), step(engine), step(engine)), kWalker).foot_world;
         ASSERT_LT(std::abs(foot.x), 2.7) << i;
         ASSERT_LT(std::abs(foot.z), 2.7) << i;
         ASSERT_GE(foot.y, 0.0) << i;

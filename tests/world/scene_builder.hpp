@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <fmt/format.h>
+#include <array>
 #include <vector>
 
 #include "geometry/mesh_chunks.hpp"

@@ -11,8 +11,8 @@
 namespace hw {
 namespace {
 
-using test::Compiled;
 using test::compile;
+using test::Compiled;
 using test::SceneBuilder;
 
 struct RayTriangle {
@@ -28,7 +28,8 @@ std::vector<RayTriangle> triangles_of(const Scene& scene)
         const MeshData& mesh = scene.meshes[static_cast<std::size_t>(scene.objects[id].mesh)];
         const bool both = scene.materials[static_cast<std::size_t>(scene.objects[id].material)].is_double_sided;
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            result.push_back({glm::dvec3(mesh.positions[mesh.indices[i]]), glm::dvec3(mesh.positions[mesh.indices[i + 1]]),
+            result.push_back({glm::dvec3(mesh.positions[mesh.indices[i]]),
+                              glm::dvec3(mesh.positions[mesh.indices[i + 1]]),
                               glm::dvec3(mesh.positions[mesh.indices[i + 2]]), id, both});
         }
     }
@@ -36,7 +37,8 @@ std::vector<RayTriangle> triangles_of(const Scene& scene)
 }
 
 /// The first object that the ray hits from a drawn side, if it does so clearly inside a triangle.
-std::optional<ObjectId> first_hit(const std::vector<RayTriangle>& triangles, const glm::dvec3& from, const glm::dvec3& way)
+std::optional<ObjectId> first_hit(const std::vector<RayTriangle>& triangles, const glm::dvec3& from,
+                                  const glm::dvec3& way)
 {
     constexpr double kClear = 1e-4;  // a ray nearer to an edge proves nothing
     double nearest = 1e300;
@@ -139,7 +141,8 @@ TEST(sight_rays, turned_boxes_hide_nothing_that_a_ray_meets)
     for (int i = 0; i < 12; ++i) {
         const double angle = place(engine);
         const glm::dvec3 at(place(engine), 0.3 * place(engine), place(engine));
-        const glm::dvec3 u(std::cos(angle) * 3.0, 0, std::sin(angle) * 3.0), w(-std::sin(angle) * 0.2, 0, std::cos(angle) * 0.2);
+        const glm::dvec3 u(std::cos(angle) * 3.0, 0, std::sin(angle) * 3.0),
+            w(-std::sin(angle) * 0.2, 0, std::cos(angle) * 0.2);
         const glm::dvec3 v(0, 5, 0);
         builder.quad({{at, at + v, at + v + u, at + u}});
         builder.quad({{at + w, at + w + u, at + w + v + u, at + w + v}});

@@ -12,8 +12,8 @@
 namespace hw {
 namespace {
 
-using test::Compiled;
 using test::compile;
+using test::Compiled;
 using test::SceneBuilder;
 
 /// A wall of the given thickness at x = 0 within y, z in [-5, 5], with a square opening at y, z in [-w/2, w/2]; solid,
