@@ -34,7 +34,7 @@ struct LineCounters {
 };
 
 /// Draws objects' lines: those of their line meshes, and the silhouettes from this eye. Hidden parts fall to the depth
-/// test; faces were drawn with kFaceOffset.
+/// test against faces that lie behind by the polygon offset.
 class LineDrawer {
  public:
     LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices);
@@ -67,7 +67,7 @@ class LineDrawer {
     LineCounters counters_;
 };
 
-/// The one polygon offset of all faces, so that lines on them are seen and passes of equal depth agree.
+/// The one polygon offset of all faces in the depth that lines are tested against.
 inline constexpr float kFaceOffsetFactor = 1.5f;
 inline constexpr float kFaceOffsetUnits = 4.0f;
 

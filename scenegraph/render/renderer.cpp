@@ -185,6 +185,7 @@ void Renderer::State::draw_surfaces(const FramePlan& plan, FrameParts& parts)
 
 void Renderer::State::draw_lines(const FramePlan& plan, FrameParts& parts)
 {
+    if (parts.has_lines) lay_line_depth(parts);
     for (std::size_t i = 0; i < plan.styles.size(); ++i) {
         std::vector<DrawItem> items = plan.styles[i].base;
         items.insert(items.end(), plan.styles[i].over.begin(), plan.styles[i].over.end());
@@ -252,6 +253,8 @@ FrameParts Renderer::State::parts_of(const View& view, const FrameOptions& optio
     parts.line_frame = {&view, options.samples, options.line_path};
     parts.no_vertices = &no_vertices;
     parts.scene_features = scene->light_features;
+    parts.has_lines = std::any_of(scene->needs.begin(), scene->needs.end(),
+                                  [](const Needs& needs) { return needs.edges.has_value(); });
     parts.lightmap = &scene->lightmap;
     parts.shadow_texture = scene->shadow.texture();
     return parts;

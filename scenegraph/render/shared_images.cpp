@@ -46,9 +46,7 @@ void draw_object(const std::string& name, const EngineImageInput& input, const V
     state.use(program.gpu);
     state.apply({.depth_test = DepthTest::less,
                  .culling = material.is_double_sided ? Culling::off : Culling::back,
-                 .is_front_clockwise = object.facing < 0.0f,
-                 .offset_factor = kFaceOffsetFactor,
-                 .offset_units = kFaceOffsetUnits});
+                 .is_front_clockwise = object.facing < 0.0f});
     const SurfaceLocations& at = program.at;
     GpuProgram::set(at.clip_from_object, object.clip_from_object);
     GpuProgram::set(at.relative_from_object, object.relative_from_object);

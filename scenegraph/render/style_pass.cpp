@@ -9,7 +9,7 @@
 namespace hw {
 namespace {
 
-constexpr PipelineState kFaceState{.offset_factor = kFaceOffsetFactor, .offset_units = kFaceOffsetUnits};
+constexpr PipelineState kBehindLines{.offset_factor = kFaceOffsetFactor, .offset_units = kFaceOffsetUnits};
 
 TextureFormat texture_format(PixelFormat format)
 {
@@ -30,9 +30,10 @@ TextureFormat texture_format(PixelFormat format)
     return TextureFormat::rgba32f;
 }
 
-PipelineState picture_state(PassStage stage)
+PipelineState picture_state(PassStage stage, bool has_lines)
 {
-    PipelineState state = kFaceState;
+    // Blended faces come after the lines and are tested against the depth that those were.
+    PipelineState state = stage == PassStage::blended && has_lines ? kBehindLines : PipelineState{};
     if (stage == PassStage::over) {
         state.depth_test = DepthTest::equal;
         state.writes_depth = false;
@@ -44,6 +45,18 @@ PipelineState picture_state(PassStage stage)
         state.blending = Blending::over;
     }
     return state;
+}
+
+std::vector<SurfaceItem> surface_items_of(const FrameParts& frame, std::span<const DrawItem> items,
+                                          const std::map<MapKind, int>& style_maps)
+{
+    std::vector<SurfaceItem> surface_items;
+    surface_items.reserve(items.size());
+    for (const DrawItem& item : items) {
+        const VisibleObject& object = frame.visible->objects[item.slot];
+        surface_items.push_back({&item, &object, choose_maps((*frame.looks)[object.object].maps, style_maps)});
+    }
+    return surface_items;
 }
 
 }  // namespace
@@ -84,7 +97,7 @@ Image StylePass::render(const TargetDesc& target, Program program, const Uniform
 {
     GpuTarget* made = transient(target);
     if (made == nullptr) return {};
-    PipelineState state = kFaceState;
+    PipelineState state;
     if (!target.has_depth) state.depth_test = DepthTest::off;
     draw_surfaces(program, uniforms, items, state);
     frame_.picture->bind();
@@ -111,18 +124,15 @@ Image StylePass::filter(const TargetDesc& target, Program program, const Uniform
 void StylePass::surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items)
 {
     if (stage_ == PassStage::images) return;
-    draw_surfaces(program, uniforms, items, picture_state(stage_));
+    draw_surfaces(program, uniforms, items, picture_state(stage_, frame_.has_lines));
+    if (stage_ == PassStage::base && frame_.has_lines)
+        frame_.drawn_faces.push_back({program, uniforms, {items.begin(), items.end()}, &style_maps_});
 }
 
 void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items,
                               const PipelineState& state)
 {
-    std::vector<SurfaceItem> surface_items;
-    surface_items.reserve(items.size());
-    for (const DrawItem& item : items) {
-        const VisibleObject& object = frame_.visible->objects[item.slot];
-        surface_items.push_back({&item, &object, choose_maps((*frame_.looks)[object.object].maps, style_maps_)});
-    }
+    const std::vector<SurfaceItem> surface_items = surface_items_of(frame_, items, style_maps_);
     PipelineState face_state = state;
     // Depth first, so that every pixel is shaded once. What a style cuts out by itself, depth cannot know; and with
     // several samples the software renderer shades what fails the depth test all the same.
@@ -150,6 +160,26 @@ void StylePass::lines(const LineLook& look, std::span<const DrawItem> items)
     std::vector<LineItem> line_items;
     for (const DrawItem& item : items) line_items.push_back({&item, &frame_.visible->objects[item.slot]});
     frame_.lines->draw(frame_.line_frame, look, line_items, *frame_.edges);
+}
+
+void lay_line_depth(FrameParts& frame)
+{
+    frame.picture->clear_depth();
+    PipelineState state = kBehindLines;
+    state.writes_colour = false;
+    for (const DrawnFaces& faces : frame.drawn_faces) {
+        const std::vector<SurfaceItem> items = surface_items_of(frame, faces.items, *faces.style_maps);
+        if (frame.programs->discards(faces.program))
+            frame.surfaces->draw({.program = faces.program,
+                                  .uniforms = &faces.uniforms,
+                                  .state = state,
+                                  .features = frame.scene_features,
+                                  .time_s = frame.view->time_s},
+                                 items, frame.visible->ranges);
+        else
+            frame.surfaces->draw_depth(state, items, frame.visible->ranges);
+    }
+    frame.state->apply({});
 }
 
 }  // namespace hw

@@ -10,6 +10,14 @@
 
 namespace hw {
 
+/// Opaque faces that a style drew, kept to be drawn again as depth alone.
+struct DrawnFaces {
+    Program program;
+    Uniforms uniforms;
+    std::vector<DrawItem> items;
+    const std::map<MapKind, int>* style_maps = nullptr;
+};
+
 /// What one frame's passes share.
 struct FrameParts {
     const View* view = nullptr;
@@ -28,6 +36,8 @@ struct FrameParts {
     std::uint32_t shadow_texture = 0;
     const GpuLightmap* lightmap = nullptr;
     std::map<ImageKey, Image> images;
+    bool has_lines = false;               ///< Some style of the scene draws lines, seen or not.
+    std::vector<DrawnFaces> drawn_faces;  ///< Filled while `has_lines`.
     int transient_targets = 0;
 };
 
@@ -69,5 +79,10 @@ class StylePass final : public Pass {
     StyleLight light_;
     const std::map<MapKind, int>& style_maps_;
 };
+
+/// Lays the depth of all opaque faces anew, behind the faces by the one polygon offset, so that lines on them are seen.
+/// The faces themselves are drawn without it: an offset that grows with the slope would let the upright side of a slab
+/// shine through the floor beside it.
+void lay_line_depth(FrameParts& frame);
 
 }  // namespace hw
