@@ -133,8 +133,10 @@ std::string located_message(const std::string& log, const ShaderText& shader)
         file = std::min<std::size_t>(std::stoul(match[1]), shader.files.size() - 1);
         if (file != 0) break;
     }
-    if (!message.empty()) return shader.files[file].string() + ":" + number + ": " + message;
-    return (shader.files.size() > 1 ? shader.files[1].string() : "shader") + ": " + first_line;
+    // Number 0 is the defines', which are ours: where nothing else was told, the author's file is meant.
+    const std::string author_file = shader.files.size() > 1 ? shader.files[1].string() : "shader";
+    if (message.empty()) return author_file + ": " + first_line;
+    return (file == 0 ? author_file : shader.files[file].string()) + ":" + number + ": " + message;
 }
 
 }  // namespace hw
