@@ -1,19 +1,71 @@
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 namespace hw {
 namespace {
 
+// Names come from strangers' files: however long, a message stays readable.
+constexpr std::size_t kMostOfPath = 400;
+constexpr std::size_t kMostOfWord = 160;
+constexpr std::size_t kMostOfPart = 1500;
+
+bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+/// At most about `most` bytes: the middle is left out, between whole UTF-8 characters.
+std::string shortened(std::string_view text, std::size_t most)
+{
+    if (text.size() <= most) return std::string(text);
+    std::size_t head = most * 2 / 3;
+    std::size_t tail = text.size() - most / 3;
+    while (head > 0 && is_inside_character(text[head])) --head;
+    while (tail < text.size() && is_inside_character(text[tail])) ++tail;
+    return std::string(text.substr(0, head)) + "..." + std::string(text.substr(tail));
+}
+
+/// The text with what a terminal would obey written out: "\\n", "\\x1b". One of C1 is 0xc2 and 0x80 to 0x9f in UTF-8.
+std::string without_controls(std::string_view text)
+{
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool is_c1 = byte == 0xc2 && i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) >> 5) == 4;
+        if (byte >= 0x20 && byte != 0x7f && !is_c1) {
+            result += text[i];
+            continue;
+        }
+        if (is_c1) ++i;
+        char escaped[8];
+        std::snprintf(escaped, sizeof escaped, "\\x%02x", static_cast<unsigned char>(text[i]));
+        result += text[i] == '\n' ? "\\n" : text[i] == '\t' ? "\\t" : escaped;
+    }
+    return result;
+}
+
+/// A part in one line, each of its words and itself shortened.
+std::string one_line(std::string_view text)
+{
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        result += without_controls(shortened(text.substr(begin, end - begin), kMostOfWord));
+        if (end < text.size()) result += ' ';
+        begin = end + 1;
+    }
+    return shortened(result, kMostOfPart);
+}
+
 std::string message_of(const ErrorParts& parts)
 {
     std::string message;
-    if (!parts.file.empty()) message += parts.file + ": ";
-    if (!parts.pointer.empty()) message += parts.pointer + ": ";
-    message += parts.what;
-    if (!parts.expected.empty()) message += "; expected " + parts.expected;
+    if (!parts.file.empty()) message += without_controls(shortened(parts.file, kMostOfPath)) + ": ";
+    if (!parts.pointer.empty()) message += one_line(parts.pointer) + ": ";
+    message += one_line(parts.what);
+    if (!parts.expected.empty()) message += "; expected " + one_line(parts.expected);
     return message;
 }
 

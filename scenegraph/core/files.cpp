@@ -76,6 +76,44 @@ fs::path temporary_name_beside(const fs::path& path)
     return name;
 }
 
+/// Where the bytes of a link belong: at its end, which need not exist yet.
+fs::path behind_links(fs::path path)
+{
+    constexpr int kMostLinks = 40;
+    std::error_code failed;
+    for (int i = 0; i < kMostLinks && fs::is_symlink(path, failed); ++i)
+        path = path.parent_path() / fs::read_symlink(path, failed);
+    return path;
+}
+
+/// The mode that a file gets which replaces `target`. Throws when that must not be replaced: a rename asks the folder
+/// alone, not the file.
+mode_t mode_for(const fs::path& target, const fs::path& named)
+{
+    struct stat status = {};
+    if (::stat(target.c_str(), &status) != 0) {
+        if (errno != ENOENT) throw_system_error(named, "cannot write");
+        return 0;
+    }
+    if (!S_ISREG(status.st_mode)) throw Error({.what = "cannot write: is not a regular file", .file = named.string()});
+    const bool is_protected = (status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
+    if (is_protected || ::access(target.c_str(), W_OK) != 0)
+        throw Error({.what = "cannot write: is write-protected", .file = named.string()});
+    return status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+}
+
+bool write_all(int descriptor, std::span<const std::byte> bytes)
+{
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return false;
+        done += static_cast<std::size_t>(count);
+    }
+    return true;
+}
+
 bool is_inside(const fs::path& root, const fs::path& path)
 {
     const auto [root_end, ignored] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
@@ -96,29 +134,20 @@ std::string read_text_file(const fs::path& path, std::uint64_t max_bytes)
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes)
 {
-    const fs::path temporary = temporary_name_beside(path);
+    const fs::path target = behind_links(path);
+    const mode_t mode = mode_for(target, path);
+    const fs::path temporary = temporary_name_beside(target);
+    bool is_written = false;
     {
         const FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
         if (file.value() < 0) throw_system_error(path, "cannot write");
-        std::size_t done = 0;
-        while (done < bytes.size()) {
-            const ssize_t count = ::write(file.value(), bytes.data() + done, bytes.size() - done);
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) {
-                const int reason = errno;
-                ::unlink(temporary.c_str());
-                errno = reason;
-                throw_system_error(path, "cannot write");
-            }
-            done += static_cast<std::size_t>(count);
-        }
+        is_written = (mode == 0 || ::fchmod(file.value(), mode) == 0) && write_all(file.value(), bytes);
     }
-    if (::rename(temporary.c_str(), path.c_str()) != 0) {
-        const int reason = errno;
-        ::unlink(temporary.c_str());
-        errno = reason;
-        throw_system_error(path, "cannot write");
-    }
+    if (is_written && ::rename(temporary.c_str(), target.c_str()) == 0) return;
+    const int reason = errno;
+    ::unlink(temporary.c_str());
+    errno = reason;
+    throw_system_error(path, "cannot write");
 }
 
 void write_file_atomically(const fs::path& path, std::string_view text)
