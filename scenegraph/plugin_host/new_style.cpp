@@ -58,7 +58,8 @@ std::vector<fs::path> write_new_style(const std::string& name, const fs::path& p
 {
     refuse_bad_name(name);
     const fs::path folder = parent / name;
-    if (fs::exists(folder)) throw Error({.what = "there is already something of that name", .file = folder.string()});
+    std::error_code failed;
+    if (fs::exists(folder, failed)) throw Error({.what = "there is already something of that name", .file = folder.string()});
 
     const fs::path templates = installation_prefix() / "share" / "hatchway" / "new_style";
     std::vector<std::pair<fs::path, std::string>> files;
@@ -67,7 +68,6 @@ std::vector<fs::path> write_new_style(const std::string& name, const fs::path& p
         text = replaced(replaced(std::move(text), "@Type@", type_name(name)), "@name@", name);
         files.emplace_back(folder / replaced(file.to, "@name@", name), std::move(text));
     }
-    std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) throw Error({.what = "the folder cannot be made: " + failed.message(), .file = folder.string()});
     std::vector<fs::path> written;

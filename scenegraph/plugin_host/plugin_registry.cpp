@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/log.hpp"
+#include "plugin_host/library_file.hpp"
 
 namespace hw {
 namespace {
@@ -33,6 +34,8 @@ std::vector<fs::path> libraries_in(const fs::path& folder)
 /// Opens a library and asks for its entry; `why` is set instead when there is none.
 const PluginEntry* entry_of(const fs::path& library, std::string& why)
 {
+    why = library_refusal(library);
+    if (!why.empty()) return nullptr;
     void* handle = ::dlopen(fs::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) {
         why = fmt::format("it does not load: {}", ::dlerror());
@@ -102,7 +105,8 @@ PluginRegistry::PluginRegistry(const PluginPlaces& places)
     }
     if (places.has_installed) load_folder(prefix / kInstalledLibraries, prefix / kInstalledShaders);
     for (const fs::path& folder : places.folders) {
-        if (!fs::is_directory(folder))
+        std::error_code failed;
+        if (!fs::is_directory(folder, failed))
             throw Error({.what = "there is no such folder of plugins", .file = folder.string()});
         load_folder(folder, folder);
     }

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "plugin_tests.hpp"
 
@@ -81,4 +82,35 @@ TEST(plugin_registry, a_plugin_is_found_only_as_its_own_kind)
 {
     EXPECT_EQ(test_registry().find("edge_map", PluginKind::style), nullptr);
     EXPECT_NE(test_registry().find("edge_map", PluginKind::image_pass), nullptr);
+}
+
+TEST(plugin_registry, a_fifo_a_folder_and_a_library_that_is_cut_off_are_left_out)
+{
+    namespace fs = std::filesystem;
+    std::string name = (fs::temp_directory_path() / "hatchway_plugins_XXXXXX").string();
+    const fs::path folder = ::mkdtemp(name.data());
+    ASSERT_EQ(::mkfifo((folder / "fifo.so").c_str(), 0600), 0);
+    fs::create_directory(folder / "folder.so");
+    const auto whole_bytes = fs::file_size(kMisbehaving / "throws_in_make.so");
+    for (const int tenths : {1, 5, 9}) {
+        const fs::path cut = folder / ("cut_" + std::to_string(tenths) + ".so");
+        fs::copy_file(kMisbehaving / "throws_in_make.so", cut);
+        fs::resize_file(cut, whole_bytes * tenths / 10);
+    }
+    fs::copy_file(kMisbehaving / "throws_in_make.so", folder / "throws_in_make.so");
+    set_log_level(LogLevel::off);
+    const PluginRegistry registry({.has_installed = false, .folders = {folder}});
+    fs::remove_all(folder);
+    EXPECT_THAT(registry.names(PluginKind::style), ElementsAre("throws_in_make")) << "the whole one is good";
+    ASSERT_EQ(registry.refused().size(), 5u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(registry.refused()[i].why, "the file is cut off");
+    for (std::size_t i = 3; i < 5; ++i) EXPECT_EQ(registry.refused()[i].why, "it is not a regular file");
+}
+
+TEST(plugin_registry, a_folder_whose_name_is_too_long_is_bad_input)
+{
+    EXPECT_THAT(refusal([] {
+                    PluginRegistry({.has_installed = false, .folders = {"/" + std::string(5000, 'x')}});
+                }),
+                HasSubstr("there is no such folder of plugins"));
 }
