@@ -159,10 +159,12 @@ bool LevelReader::file(const LevelKey& key, std::filesystem::path& value)
 
 bool LevelReader::constant(const LevelKey& key, std::string_view expected)
 {
+    const std::string quoted = fmt::format("\"{}\"", expected);
+    if (key.is_required && !has(key.name)) refuse(pointer_, fmt::format("the key \"{}\" is missing", key.name), quoted);
     const json* stated = find(key);
     if (!stated) return false;
     if (!stated->is_string() || stated->get_ref<const std::string&>() != expected)
-        refuse(pointer_to(pointer_, key.name), "stands " + described(*stated), fmt::format("\"{}\"", expected));
+        refuse(pointer_to(pointer_, key.name), "stands " + described(*stated), quoted);
     return true;
 }
 

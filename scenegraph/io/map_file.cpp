@@ -30,7 +30,8 @@ class MapDescription {
  public:
     explicit MapDescription(const fs::path& folder) : file_((folder / "map.json").string())
     {
-        values_ = parse_json(read_text_file(file_, kMaxMapFileBytes), file_, JsonComments::allowed);
+        const fs::path inside = resolve_inside(folder, folder, "map.json", file_, "");
+        values_ = parse_json(read_text_file(inside, kMaxMapFileBytes), file_, JsonComments::allowed);
         if (!values_.is_object()) refuse("", "an object", values_);
         for (const auto& [name, value] : values_.items())
             if (std::ranges::find(kKeys, name) == kKeys.end())
@@ -38,7 +39,8 @@ class MapDescription {
                              .file = file_,
                              .pointer = pointer_to("", name),
                              .expected = fmt::format("one of: {}", fmt::join(kKeys, ", "))});
-        if (at("format") != kFormat) refuse("format", fmt::format("\"{}\"", kFormat), at("format"));
+        const std::string format = fmt::format("\"{}\"", kFormat);
+        if (at("format", format) != kFormat) refuse("format", format, at("format"));
     }
 
     MapKind kind() const
@@ -69,11 +71,12 @@ class MapDescription {
     bool has(const char* name) const { return values_.contains(name); }
 
  private:
-    const json& at(const char* name) const
+    const json& at(const char* name, const std::string& expected = "") const
     {
         const auto found = values_.find(name);
         if (found == values_.end())
-            throw Error({.what = fmt::format("the key \"{}\" is missing", name), .file = file_});
+            throw Error(
+                {.what = fmt::format("the key \"{}\" is missing", name), .file = file_, .expected = expected});
         return *found;
     }
     [[noreturn]] void refuse(const char* name, const std::string& expected, const json& value) const

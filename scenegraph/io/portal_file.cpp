@@ -27,14 +27,17 @@ class Words {
 
     std::string_view next(std::string_view expected)
     {
-        const auto is_gap = [](char c) {
-            return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '(' || c == ')';
-        };
-        while (at_ < text_.size() && is_gap(text_[at_])) ++at_;
+        skip_gap();
         const std::size_t begin = at_;
         while (at_ < text_.size() && !is_gap(text_[at_])) ++at_;
         if (begin == at_) fail("the text ends", expected);
         return text_.substr(begin, at_ - begin);
+    }
+
+    void end()
+    {
+        skip_gap();
+        if (at_ < text_.size()) fail(fmt::format("found \"{}\"", next("")), "the end of the text");
     }
 
     int whole(int least, int most, std::string_view meaning)
@@ -69,6 +72,15 @@ class Words {
     }
 
  private:
+    static bool is_gap(char c)
+    {
+        return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '(' || c == ')';
+    }
+    void skip_gap()
+    {
+        while (at_ < text_.size() && is_gap(text_[at_])) ++at_;
+    }
+
     std::string_view text_;
     std::string file_;
     std::size_t at_ = 0;
@@ -89,11 +101,16 @@ void read_portal(Words& words, PortalFile& result)
     const int corners = words.whole(3, kMostCorners, "corners of a portal");
     portal.from_leaf = words.whole(0, result.graph.leaf_count - 1, "the portal's first leaf");
     portal.to_leaf = words.whole(0, result.graph.leaf_count - 1, "the portal's second leaf");
+    if (portal.from_leaf == portal.to_leaf)
+        words.fail(fmt::format("the portal leads from leaf {} to itself", portal.from_leaf), "two leaves");
     for (int i = 0; i < corners; ++i) {
         glm::dvec3 corner;
         for (int axis = 0; axis < 3; ++axis) corner[axis] = words.real("a coordinate");
         portal.winding.push_back(corner);
     }
+    const glm::dvec3& first = portal.winding[0];
+    if (std::all_of(portal.winding.begin(), portal.winding.end(), [&](const glm::dvec3& c) { return c == first; }))
+        words.fail("all corners of the portal are one point", "a polygon");
     const glm::dvec3 area = area_vector(portal.winding);
     const double size = glm::length(area);
     if (!(size > 1e-9)) {
@@ -128,6 +145,7 @@ PortalFile parse_portals(std::string_view text, const std::string& file)
         result.cluster_of_leaf.push_back(
             has_clusters ? words.whole(0, result.graph.leaf_count - 1, "the cluster of a leaf") : leaf);
     }
+    words.end();
     return result;
 }
 

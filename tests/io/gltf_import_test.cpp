@@ -10,7 +10,7 @@
 #include "io/expect_error.hpp"
 #include "io/images.hpp"
 #include "io/model_builder.hpp"
-#include "io/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 

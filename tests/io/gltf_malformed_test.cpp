@@ -9,7 +9,7 @@
 #include "io/expect_error.hpp"
 #include "io/gltf_import.hpp"
 #include "io/model_builder.hpp"
-#include "io/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 

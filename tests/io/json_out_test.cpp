@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
-#include "io/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 using hw::JsonValue;
 

@@ -5,7 +5,7 @@
 #include "core/files.hpp"
 #include "io/expect_error.hpp"
 #include "io/level_file.hpp"
-#include "io/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 

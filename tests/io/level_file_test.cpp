@@ -7,7 +7,7 @@
 
 #include "io/expect_error.hpp"
 #include "io/level_schema.hpp"
-#include "io/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -373,4 +373,13 @@ TEST(level_schema, collects_parameters_in_order_with_their_defaults)
     EXPECT_EQ(std::get<std::string>(collector.params()[1].default_value), "#ff8000");
     EXPECT_EQ(std::get<std::string>(collector.params()[2].default_value), "square");
     EXPECT_EQ(collector.params()[2].change, hw::ParamChange::rebuild);
+}
+
+TEST(level_file, a_missing_format_says_which_is_expected)
+{
+    const Project project;
+    const fs::path file = project.write(R"({"scene": "../models/hall.glb"})");
+    const auto parts = error_of([&] { hw::read_level(file); });
+    EXPECT_EQ(parts.what, "the key \"format\" is missing");
+    EXPECT_EQ(parts.expected, "\"hatchway-level/1\"");
 }

@@ -4,7 +4,7 @@
 
 #include "io/expect_error.hpp"
 #include "io/images.hpp"
-#include "io/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -110,4 +110,20 @@ TEST(map_file, the_maps_of_the_project_can_be_read)
         ++count;
     }
     EXPECT_GT(count, 0);
+}
+
+TEST(map_file, a_description_that_is_a_link_out_of_the_map_is_refused)
+{
+    const TemporaryFolder folder;
+    folder.write("outside.json", kInk);
+    fs::create_directory(folder.path() / "stone");
+    fs::create_symlink("../outside.json", folder.path() / "stone/map.json");
+    EXPECT_THAT(error_of([&] { hw::read_map(folder.path() / "stone"); }).what, testing::HasSubstr("leaves the project"));
+}
+
+TEST(map_file, a_missing_format_says_which_is_expected)
+{
+    const TemporaryFolder folder;
+    folder.write("map.json", R"({"kind": "ink", "levels": 1})");
+    EXPECT_EQ(error_of([&] { hw::read_map(folder.path()); }).expected, "\"hatchway-map/1\"");
 }

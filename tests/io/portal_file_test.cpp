@@ -43,13 +43,31 @@ TEST(portal_file, a_portal_without_area_is_left_out)
     EXPECT_EQ(file.portals_without_area, 1);
 }
 
+TEST(portal_file, what_follows_the_last_portal_a_portal_to_its_own_leaf_and_one_of_one_point_are_refused)
+{
+    const std::pair<const char*, const char*> cases[] = {
+        {"PRT1\n2\n1\n3 0 1 (0 0 0) (0 1 0) (0 1 1)\n7\n", "found \"7\""},
+        {"PRT1\n2\n1\n3 1 1 (0 0 0) (0 1 0) (0 1 1)\n", "the portal leads from leaf 1 to itself"},
+        {"PRT1\n2\n1\n3 0 1 (5 0 0) (5 0 0) (5 0 0)\n", "all corners of the portal are one point"}};
+    for (const auto& [text, what] : cases) {
+        try {
+            parse_portals(text, "t.prt");
+            ADD_FAILURE() << text;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.parts().what, what);
+            EXPECT_TRUE(error.parts().pointer.starts_with("line ")) << error.what();
+        }
+    }
+}
+
 TEST(portal_file, bad_text_is_refused_with_its_line)
 {
     for (const char* text :
          {"", "PRT3\n1\n0\n", "PRT1\n-1\n0\n", "PRT1\n99999999999\n0\n", "PRT1\n2\n1\n",
           "PRT1\n2\n1\n3 0 2 (0 0 0) (0 1 0) (0 1 1)\n", "PRT1\n2\n1\n2 0 1 (0 0 0) (0 1 0)\n",
           "PRT1\n2\n1\n3 0 1 (0 0 nan) (0 1 0) (0 1 1)\n", "PRT1\n2\n1\n3 0 1 (0 0 1e300) (0 1 0) (0 1 1)\n",
-          "PRT1\n2\n1\n3 0 1 (0 0 x) (0 1 0) (0 1 1)\n"}) {
+          "PRT1\n2\n1\n3 0 1 (0 0 x) (0 1 0) (0 1 1)\n", "PRT1\n2\n1\n3 0 1 (0 0 0) (0 1 0) (0 1 1)\nmore\n",
+          "PRT1\n2\n1\n3 1 1 (0 0 0) (0 1 0) (0 1 1)\n", "PRT1\n2\n1\n3 0 1 (5 0 0) (5 0 0) (5 0 0)\n"}) {
         try {
             parse_portals(text, "t.prt");
             FAIL() << text;
