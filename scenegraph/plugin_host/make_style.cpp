@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "param/param_reader.hpp"
 #include "plugin_host/plugin_call.hpp"
+#include "world/rule_place.hpp"
 
 namespace hw {
 namespace {
@@ -25,6 +26,37 @@ std::unique_ptr<Instance> with_params(const Plugin& plugin, Instance* (*make)(),
         reader.refuse_unknown();
         return instance;
     });
+}
+
+/// Collects the maps that a style states.
+class MapCollector final : public ParamVisitor {
+ public:
+    MapCollector(const StyleDesc& style, std::vector<StatedMap>& maps) : style_(style), maps_(maps) {}
+
+    void real(const ParamInfo&, float&, float, float) override {}
+    void whole(const ParamInfo&, int&, int, int) override {}
+    void flag(const ParamInfo&, bool&) override {}
+    void colour(const ParamInfo&, glm::vec3&) override {}
+    void choice(const ParamInfo&, int&, std::span<const std::string_view>) override {}
+    void map(const ParamInfo& info, MapName& value, MapKind kind) override
+    {
+        const auto stated = style_.params.find(std::string(info.name));
+        if (stated != style_.params.end() && !value.value.empty())
+            maps_.push_back({kind, value.value, stated->second.pointer});
+    }
+
+ private:
+    const StyleDesc& style_;
+    std::vector<StatedMap>& maps_;
+};
+
+/// A fresh instance of a level's style.
+std::unique_ptr<Style> style_of(const PluginRegistry& registry, const Level& level, const StyleDesc& style)
+{
+    const std::string file = level.file.string();
+    const Plugin& plugin =
+        require_plugin(registry, style.plugin, PluginKind::style, {file, style.pointer + "/plugin"});
+    return make_style(plugin, style.params, {file, style.pointer});
 }
 
 }  // namespace
@@ -70,14 +102,49 @@ void visit_defaults(const Plugin& plugin, ParamVisitor& visitor)
     }
 }
 
+std::vector<std::string> style_names(const PluginRegistry& registry, const std::map<std::string, StyleDesc>& styles)
+{
+    std::vector<std::string> result;
+    for (const auto& [name, style] : styles) result.push_back(name);
+    for (const std::string& plugin : registry.names(PluginKind::style))
+        if (!styles.contains(plugin)) result.push_back(plugin);
+    return result;
+}
+
+void require_style_name(const PluginRegistry& registry, const std::map<std::string, StyleDesc>& styles,
+                        const std::string& name, const StyleSource& source)
+{
+    if (styles.contains(name) || registry.find(name, PluginKind::style)) return;
+    throw Error({.what = fmt::format("there is no style \"{}\"", name),
+                 .file = source.file,
+                 .pointer = source.pointer,
+                 .expected = fmt::format("one of: {}", fmt::join(style_names(registry, styles), ", "))});
+}
+
+std::vector<StatedMap> maps_of_styles(const PluginRegistry& registry, const Level& level)
+{
+    std::vector<StatedMap> maps;
+    for (const auto& [name, desc] : level.styles) {
+        const std::unique_ptr<Style> style = style_of(registry, level, desc);
+        MapCollector collector(desc, maps);
+        call_plugin(desc.plugin, "visit_params", level.file.string(), desc.pointer,
+                    [&] { style->visit_params(collector); });
+    }
+    return maps;
+}
+
 void check_styles(const PluginRegistry& registry, const Level& level)
 {
-    for (const auto& [name, desc] : level.styles) {
-        const StyleSource source{level.file.string(), desc.pointer};
-        const Plugin& plugin = require_plugin(registry, desc.plugin, PluginKind::style,
-                                              {source.file, desc.pointer + "/plugin"});
-        make_style(plugin, desc.params, source);
+    for (const auto& [name, desc] : level.styles) style_of(registry, level, desc);
+    const auto require = [&](const std::string& name, const std::string& pointer) {
+        require_style_name(registry, level.styles, name, {level.file.string(), pointer});
+    };
+    for (const AssignRule& rule : level.assign) {
+        if (rule.style) require(*rule.style, place_in(rule, "style"));
+        if (rule.over) require(*rule.over, place_in(rule, "over"));
     }
+    for (std::size_t i = 0; i < level.certainty_styles.size(); ++i)
+        require(level.certainty_styles[i].style, fmt::format("/certainty_styles/{}/style", i));
 }
 
 }  // namespace hw

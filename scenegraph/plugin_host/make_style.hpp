@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "param/param_value.hpp"
 #include "plugin_host/plugin_registry.hpp"
@@ -31,7 +33,26 @@ std::unique_ptr<ImagePass> make_image_pass(const Plugin& plugin, const ParamSett
 /// when the plugin throws.
 void visit_defaults(const Plugin& plugin, ParamVisitor& visitor);
 
-/// Makes every style of the level once, without a device. Throws hw::Error for the first that is wrong.
+/// The styles that a level may name: its own, then the plugins that none of them hides.
+std::vector<std::string> style_names(const PluginRegistry& registry, const std::map<std::string, StyleDesc>& styles);
+
+/// Throws hw::Error that lists style_names() when `name` is none of them.
+void require_style_name(const PluginRegistry& registry, const std::map<std::string, StyleDesc>& styles,
+                        const std::string& name, const StyleSource& source);
+
+/// A map that a style of a level names.
+struct StatedMap {
+    MapKind kind = MapKind::hatch;
+    std::string name;
+    std::string pointer;
+};
+
+/// The maps that the styles of a level state, also those that their other parameters leave unused. Throws hw::Error for
+/// a style that is wrong.
+std::vector<StatedMap> maps_of_styles(const PluginRegistry& registry, const Level& level);
+
+/// Makes every style of the level once, without a device, and looks up every style that the level names. Throws
+/// hw::Error for the first that is wrong.
 void check_styles(const PluginRegistry& registry, const Level& level);
 
 }  // namespace hw

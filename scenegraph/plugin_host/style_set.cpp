@@ -68,11 +68,8 @@ StyleSet::Wanted StyleSet::wanted(const std::string& name, const std::string& po
     const auto named = level_styles_.find(name);
     if (named != level_styles_.end())
         return {named->second.plugin, named->second.params, {level_file_, named->second.pointer}};
-    if (registry_.find(name, PluginKind::style)) return {name, {}, {level_file_, pointer}};
-    throw Error({.what = fmt::format("there is no style \"{}\"", name),
-                 .file = level_file_,
-                 .pointer = pointer,
-                 .expected = fmt::format("one of: {}", fmt::join(names(), ", "))});
+    require_style_name(registry_, level_styles_, name, {level_file_, pointer});
+    return {name, {}, {level_file_, pointer}};
 }
 
 std::unique_ptr<Style> StyleSet::prepared(const Wanted& wanted)
@@ -98,11 +95,7 @@ int StyleSet::use(const std::string& name, const std::string& pointer)
 
 std::vector<std::string> StyleSet::names() const
 {
-    std::vector<std::string> result;
-    for (const auto& [name, desc] : level_styles_) result.push_back(name);
-    for (const std::string& plugin : registry_.names(PluginKind::style))
-        if (!level_styles_.contains(plugin)) result.push_back(plugin);
-    return result;
+    return style_names(registry_, level_styles_);
 }
 
 std::vector<std::string> StyleSet::prepare_again()

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "gl/context.hpp"
+#include "world/rule_place.hpp"
 
 namespace hw {
 namespace {
@@ -51,6 +52,7 @@ Stage::Shown Stage::with_looks(Level level, std::shared_ptr<const LevelWorld> wo
 {
     Level with_extra = level;
     with_extra.assign.insert(with_extra.assign.end(), extra_rules.begin(), extra_rules.end());
+    require_maps(with_extra);
     Shown shown{std::move(level), std::move(world), {}, {}};
     shown.looks = resolve_looks(with_extra, shown.world->scene, kFallbackStyle);
     shown.objects.reserve(shown.looks.size());
@@ -62,11 +64,19 @@ Stage::Shown Stage::with_looks(Level level, std::shared_ptr<const LevelWorld> wo
         object.certainty = static_cast<float>(look.certainty);
         for (const auto& [kind_name, name] : look.maps) {
             const MapKind kind = map_kind_of(kind_name);
-            object.maps[kind] = maps_.use(shown.level, kind, name, "/assign");
+            object.maps[kind] = maps_.use(shown.level, kind, name, "/assign");  // known: required above
         }
         shown.objects.push_back(std::move(object));
     }
     return shown;
+}
+
+void Stage::require_maps(const Level& level)
+{
+    for (const AssignRule& rule : level.assign)
+        for (const auto& [kind_name, name] : rule.maps)
+            maps_.use(level, map_kind_of(kind_name), name, place_in(rule, "maps/" + kind_name));
+    for (const StatedMap& map : maps_of_styles(plugins_, level)) maps_.use(level, map.kind, map.name, map.pointer);
 }
 
 std::map<std::string, int> Stage::named_maps()

@@ -72,6 +72,8 @@ class Stage {
 
     Shown with_looks(Level level, std::shared_ptr<const LevelWorld> world,
                      const std::vector<AssignRule>& extra_rules);
+    /// Reads every map that the level names, also where no object uses it, so that a wrong one is told with its place.
+    void require_maps(const Level& level);
     std::map<std::string, int> named_maps();
     void show(Shown next, bool has_new_looks_only);
     void load();

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/glob.hpp"
 #include "world/level.hpp"
+#include "world/rule_place.hpp"
 
 namespace hw {
 namespace {
@@ -17,7 +18,7 @@ int node_index_of(const AssignRule& rule, const Level& level, std::size_t node_c
     if (status == std::errc() && stop == end && index < node_count) return static_cast<int>(index);
     throw Error({.what = "there is no node \"" + rule.nodes + '"',
                  .file = level.file.string(),
-                 .pointer = rule.pointer + "/nodes",
+                 .pointer = place_in(rule, "nodes"),
                  .expected = "a path glob, or # and an index below " + std::to_string(node_count)});
 }
 
@@ -39,7 +40,7 @@ void apply(const AssignRule& rule, ObjectLook& look)
 {
     if (rule.style) {
         look.style = *rule.style;
-        look.style_pointer = rule.pointer + "/style";
+        look.style_pointer = place_in(rule, "style");
         look.over.clear();
     }
     if (rule.over) look.over = *rule.over;
@@ -49,8 +50,10 @@ void apply(const AssignRule& rule, ObjectLook& look)
     for (const auto& [kind, path] : rule.maps) look.maps[kind] = path;
 }
 
-void apply_extras(const Scene& scene, std::vector<ObjectLook>& looks)
+void apply_extras(const Level& level, const Scene& scene, std::vector<ObjectLook>& looks)
 {
+    // Messages begin with the level file, which may be the bare model itself.
+    const std::string file = level.file == level.scene_file ? "" : scene.file + ": ";
     std::vector<const std::string*> style(scene.nodes.size(), nullptr);
     std::vector<const float*> certainty(scene.nodes.size(), nullptr);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -62,7 +65,7 @@ void apply_extras(const Scene& scene, std::vector<ObjectLook>& looks)
         const int node = scene.objects[i].node;
         if (style[node]) {
             looks[i].style = *style[node];
-            looks[i].style_pointer = scene.file + "/nodes/" + std::to_string(node) + "/extras/hatchway/style";
+            looks[i].style_pointer = file + "/nodes/" + std::to_string(node) + "/extras/hatchway/style";
         }
         if (certainty[node]) looks[i].certainty = *certainty[node];
     }
@@ -73,7 +76,9 @@ void apply_certainty_table(const Level& level, ObjectLook& look)
     const CertaintyStyle* best = nullptr;
     for (const CertaintyStyle& entry : level.certainty_styles)
         if (look.certainty >= entry.from && (!best || entry.from > best->from)) best = &entry;
-    if (best) look.style = best->style;
+    if (!best) return;
+    look.style = best->style;
+    look.style_pointer = "/certainty_styles/" + std::to_string(best - level.certainty_styles.data()) + "/style";
 }
 
 }  // namespace
@@ -81,7 +86,7 @@ void apply_certainty_table(const Level& level, ObjectLook& look)
 std::vector<ObjectLook> resolve_looks(const Level& level, const Scene& scene, const std::string& fallback_style)
 {
     std::vector<ObjectLook> looks(scene.objects.size());
-    apply_extras(scene, looks);
+    apply_extras(level, scene, looks);
     for (const AssignRule& rule : level.assign) {
         const std::vector<char> reached = reached_nodes(rule, level, scene);
         for (std::size_t i = 0; i < looks.size(); ++i) {

@@ -123,3 +123,35 @@ TEST(make_style, ink_needs_edges_and_photoreal_needs_none)
     const auto wide = made("pen_and_ink", one("crease_deg", 60.0))->needs();
     EXPECT_NEAR(wide.edges->crease_rad, 1.0471975f, 1e-6f);
 }
+
+TEST(make_style, every_style_that_a_level_names_is_looked_up_and_its_place_told)
+{
+    Level level;
+    level.file = "hall.level.json";
+    level.certainty_styles = {{0.0, "photoreal"}, {0.5, "gone"}};
+    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }),
+                HasSubstr("hall.level.json: /certainty_styles/1/style: there is no style \"gone\"; expected one of: "));
+    AssignRule rule;
+    rule.style = "photoreal";
+    rule.over = "gone";
+    rule.pointer = "/assign/0";
+    level.assign = {rule};
+    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }), HasSubstr(": /assign/0/over: there is no style"));
+    level.assign[0].style = "gone too";
+    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }), HasSubstr(": /assign/0/style: there is no style"));
+    level.assign[0].pointer = "--style 1";
+    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }), HasSubstr(": --style 1: there is no style"));
+}
+
+TEST(make_style, maps_that_a_style_states_are_found_although_its_tone_leaves_them_unused)
+{
+    Level level;
+    ParamSettings params = one("hatch", std::string("zzz"));
+    params["tone"] = {std::string("shaded"), "/styles/assumed/tone"};
+    level.styles["assumed"] = {"pen_and_ink", params, "/styles/assumed"};
+    const auto maps = maps_of_styles(test_registry(), level);
+    ASSERT_EQ(maps.size(), 1u) << "what the level does not state is the plugin's own matter";
+    EXPECT_EQ(maps[0].kind, MapKind::hatch);
+    EXPECT_EQ(maps[0].name, "zzz");
+    EXPECT_EQ(maps[0].pointer, "/styles/assumed/hatch");
+}

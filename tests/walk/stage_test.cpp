@@ -123,3 +123,17 @@ TEST_F(stage, names_the_styles_that_there_are)
     EXPECT_EQ(names.front(), "drawn");
     EXPECT_NE(std::find(names.begin(), names.end(), "pen_and_ink"), names.end());
 }
+
+TEST_F(stage, a_wrong_map_is_named_by_its_place_although_nothing_uses_it)
+{
+    const std::pair<const char*, const char*> cases[] = {
+        {R"("assign": [{"nodes": "none", "maps": {"hatch": "zzz"}}])", "/assign/0/maps/hatch: there is no map"},
+        {R"("styles": {"a": {"plugin": "pen_and_ink", "tone": "shaded", "hatch": "zzz"}})",
+         "/styles/a/hatch: there is no map"}};
+    for (const auto& [keys, expected] : cases) {
+        write(R"({"format": "hatchway-level/1", "scene": "prism.glb", )" + std::string(keys) + "}");
+        reload();
+        ASSERT_EQ(stage_->messages().size(), 1u) << keys;
+        EXPECT_NE(stage_->messages()[0].find(expected), std::string::npos) << stage_->messages()[0];
+    }
+}

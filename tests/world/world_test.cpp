@@ -35,6 +35,23 @@ TEST(looks, a_rule_reaches_the_children_of_the_node_that_it_names)
     EXPECT_EQ(hw::resolve_looks(level, two_columns_in_a_hall(), "photoreal")[1].style, "assumed");
 }
 
+TEST(looks, tell_where_their_style_was_said)
+{
+    hw::Level level;
+    level.file = "hall.level.json";
+    level.certainty_styles = {{0.8, "excavated"}, {0.0, "assumed"}};
+    level.assign = {{.nodes = "Hall/Column_01", .certainty = 0.3}};
+    hw::Scene scene = two_columns_in_a_hall();
+    scene.file = "hall.glb";
+    scene.nodes[scene.objects[1].node].style = "found";
+    const auto looks = hw::resolve_looks(level, scene, "photoreal");
+    EXPECT_EQ(looks[0].style_pointer, "/certainty_styles/1/style");
+    const std::string place = "/nodes/" + std::to_string(scene.objects[1].node) + "/extras/hatchway/style";
+    EXPECT_EQ(looks[1].style_pointer, "hall.glb: " + place);
+    level.scene_file = level.file;
+    EXPECT_EQ(hw::resolve_looks(level, scene, "photoreal")[1].style_pointer, place) << "a bare model";
+}
+
 TEST(looks, without_a_rule_the_certainty_table_decides)
 {
     hw::Level level;
