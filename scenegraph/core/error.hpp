@@ -22,7 +22,8 @@ struct ErrorParts {
 };
 
 /// The one exception of the engine: bad input, a shader that does not compile, a missing device.
-/// what() reads "file: /pointer: what was found; expected what is allowed".
+/// what() reads "file: /pointer: what was found; expected what is allowed", in one line: control characters are written
+/// out and long names shortened. parts() has them as they were given.
 class Error : public std::runtime_error {
  public:
     explicit Error(ErrorParts parts);

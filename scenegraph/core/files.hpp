@@ -16,7 +16,8 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_
 std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
 /// Writes beside the target under a temporary name, then renames: readers see the old bytes or the new, never a part.
-/// Throws hw::Error when the folder is missing or not writable; the target is then as it was.
+/// A link stays, what it points to is written; a file that is replaced keeps its mode. Throws hw::Error when the folder
+/// is missing or not writable, or the target is write-protected or no regular file; the target is then as it was.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 

@@ -10,7 +10,8 @@ namespace hw {
 /// Where a level's lightmap is looked for: beside the level, its name with ".lightmap" at the end.
 std::filesystem::path lightmap_path(const std::filesystem::path& level_file);
 
-/// Writes a lightmap; readers see the old file or the new one. Throws hw::Error when the folder is not writable.
+/// Writes a lightmap; readers see the old file or the new one. Throws hw::Error when the folder is not writable, and
+/// for a link that leaves the file's project, as read_lightmap() does.
 void write_lightmap(const std::filesystem::path& file, const Lightmap& lightmap);
 
 /// Reads and checks a lightmap. Throws hw::Error for a damaged file, one of another version, or one that does not fit
