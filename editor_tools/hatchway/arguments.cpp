@@ -1,13 +1,15 @@
 #include "hatchway/arguments.hpp"
 
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "core/error.hpp"
 #include "core/limits.hpp"
+#include "gl/context.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -58,6 +60,10 @@ glm::ivec2 parse_size(const std::string& text)
     if (!has_sign || height_status != std::errc() || stop != end || !is_side(size.x) || !is_side(size.y))
         throw Error({.what = "--size " + text,
                      .expected = "WxH, each from 1 to " + std::to_string(limits::kMaxImageSide) + ", such as 1280x720"});
+    const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+    if (pixels > limits::kMaxImagePixels)
+        throw Error({.what = fmt::format("--size {}: {} pixels", text, pixels),
+                     .expected = fmt::format("at most {} pixels", limits::kMaxImagePixels)});
     return size;
 }
 
@@ -78,18 +84,12 @@ glm::dvec3 parse_vector(const std::string& text, const std::string& option)
     return vector;
 }
 
-void require_writable(const fs::path& file, const std::string& option)
+void require_fits(const glm::ivec2& size_px, const DeviceInfo& device)
 {
-    if (file.empty()) return;
-    std::error_code failed;
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    const auto refuse = [&](const std::string& why) {
-        return Error({.what = option + ": " + why, .file = file.string(), .expected = "a file that can be written"});
-    };
-    if (!fs::is_directory(folder, failed)) throw refuse("there is no folder " + folder.string());
-    if (fs::is_directory(file, failed)) throw refuse("is a folder");
-    // Files are replaced by renaming, so the folder's permission decides.
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) throw refuse("the folder " + folder.string() + " is not writable");
+    if (std::max(size_px.x, size_px.y) <= device.max_texture_side) return;
+    throw Error({.what = fmt::format("--size {}x{}", size_px.x, size_px.y),
+                 .expected = fmt::format("at most {} a side on this device", device.max_texture_side),
+                 .fault = Fault::device});
 }
 
 }  // namespace hw

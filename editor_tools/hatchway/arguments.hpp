@@ -14,6 +14,8 @@ class App;
 
 namespace hw {
 
+struct DeviceInfo;
+
 /// What every subcommand that opens a level takes.
 struct LevelArguments {
     std::filesystem::path file;
@@ -29,14 +31,14 @@ void add_json_argument(CLI::App& command, std::filesystem::path& json_file);
 
 StageOptions stage_options(const LevelArguments& arguments);
 
-/// "1280x720". Throws hw::Error unless both sides are in [1, limits::kMaxImageSide].
+/// "1280x720". Throws hw::Error unless both sides are in [1, limits::kMaxImageSide] and the picture has at
+/// most limits::kMaxImagePixels.
 glm::ivec2 parse_size(const std::string& text);
 
 /// "X,Y,Z", three finite numbers. Throws hw::Error that names `option`.
 glm::dvec3 parse_vector(const std::string& text, const std::string& option);
 
-/// Throws hw::Error unless a file of that name can be written: its folder is there and lets us, and it is no folder.
-/// Writes nothing. An empty name, an option that was not given, is fine.
-void require_writable(const std::filesystem::path& file, const std::string& option);
+/// Throws hw::Error, Fault::device, when the device cannot draw pictures of that size. Asked before a level is opened.
+void require_fits(const glm::ivec2& size_px, const DeviceInfo& device);
 
 }  // namespace hw

@@ -6,6 +6,8 @@
 
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/lightmap_file.hpp"
 #include "walk/level_light.hpp"
 #include "world/light_bake.hpp"
@@ -32,8 +34,9 @@ BakeOptions options_of(const BakeArguments& arguments)
 void bake(const BakeArguments& arguments)
 {
     const std::filesystem::path out = arguments.out.empty() ? lightmap_path(arguments.file) : arguments.out;
-    require_writable(out, "--out");
+    require_outputs({{"--out", out}}, {arguments.file});
     const Level level = read_level_with(arguments.file, {});
+    require_distinct({{"--out", out}}, {level.scene_file});
     const auto world = open_world(level, nullptr);
     std::uint32_t luxels = 0;
     double seconds = 0.0;
@@ -55,13 +58,13 @@ void add_bake_command(CLI::App& app)
     CLI::App* command = app.add_subcommand("bake", "Bakes a level's light: soft shadows and light that bounces");
     command->add_option("level", arguments->file, "A level or a bare model")->required()->option_text("LEVEL|GLB");
     command->add_option("--quality", arguments->quality, "draft: coarse and grainy; final: what is shipped")
-        ->check(CLI::IsMember({"draft", "final"}));
+        ->check(one_of({"draft", "final"}));
     command->add_option("--luxels-per-m", arguments->luxels_per_m, "Density on surfaces; draft 2, final 8")
         ->option_text("N")
-        ->check(CLI::Range(0.01, 1000.0));
+        ->check(number_in(0.01, 1000.0));
     command->add_option("--samples", arguments->samples, "Of each luxel; draft 32, final 512")
         ->option_text("N")
-        ->check(CLI::Range(1, 65536));
+        ->check(whole_number_in(1, 65536));
     command->add_option("--out", arguments->out, "The file; beside the level, where walk and render find it")
         ->option_text("FILE");
     command->callback([arguments] { bake(*arguments); });

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
-#include "core/glob.hpp"
 #include "core/log.hpp"
 #include "gl/context.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/level_doubts.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/json_out.hpp"
 
 namespace hw {
@@ -19,30 +19,14 @@ struct CheckArguments {
     std::filesystem::path json;
 };
 
-bool names_something(const AssignRule& rule, const Scene& scene)
-{
-    const auto is_node = [&](const Node& node) { return rule.nodes[0] == '#' || glob_matches(rule.nodes, node.path); };
-    const auto is_material = [&](const Material& material) { return glob_matches(rule.materials, material.name); };
-    return (rule.nodes.empty() || std::any_of(scene.nodes.begin(), scene.nodes.end(), is_node)) &&
-           (rule.materials.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), is_material));
-}
-
-/// What is no error, but surely not meant.
-std::vector<std::string> doubts(const Level& level, const Scene& scene)
-{
-    std::vector<std::string> found;
-    for (const AssignRule& rule : level.assign)
-        if (!names_something(rule, scene))
-            found.push_back(fmt::format("{}: {}: names nothing in the model", level.file.string(), rule.pointer));
-    return found;
-}
-
 void check(const CheckArguments& arguments)
 {
-    require_writable(arguments.json, "--json");
+    const std::vector<OutputFile> outputs{{"--json", arguments.json}};
+    require_outputs(outputs, {arguments.level.file});
     const auto context = make_headless_context();
     const Stage stage(*context, stage_options(arguments.level));
-    const std::vector<std::string> found = doubts(stage.level(), stage.scene());
+    require_distinct(outputs, {stage.level().scene_file});
+    const std::vector<std::string> found = level_doubts(stage.level(), stage.scene());
     for (const std::string& doubt : found) log_warning(doubt);
 
     const Scene& scene = stage.scene();

@@ -5,6 +5,7 @@
 
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/output_files.hpp"
 #include "hatchway/scene_surfaces.hpp"
 #include "io/json_out.hpp"
 #include "walk/level_world.hpp"
@@ -97,9 +98,12 @@ void print_info(const LevelWorld& world, const MeshTotals& totals)
 
 void info(const InfoArguments& arguments)
 {
-    require_writable(arguments.json, "--json");
+    const std::vector<OutputFile> outputs{{"--json", arguments.json}};
+    require_outputs(outputs, {arguments.file});
     const VisibilityOptions visibility;
-    const auto world = open_world(read_level_with(arguments.file, {}), &visibility);
+    const Level level = read_level_with(arguments.file, {});
+    require_distinct(outputs, {level.scene_file});
+    const auto world = open_world(level, &visibility);
     const MeshTotals totals = totals_of(scene_surfaces(world->scene));
     print_info(*world, totals);
     if (!arguments.json.empty()) write_json(arguments.json, info_json(*world, totals));

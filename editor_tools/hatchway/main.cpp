@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/option_rules.hpp"
 
 namespace {
 
@@ -19,9 +21,6 @@ void add_general_options(CLI::App& app)
     app.add_flag_callback("--quiet", [] { hw::set_log_level(hw::LogLevel::error); }, "Log errors only");
     app.add_flag_callback("--verbose", [] { hw::set_log_level(hw::LogLevel::debug); }, "Log details, too");
     app.footer("Exit codes: 0 done, 1 our fault, 2 bad usage or bad input.");
-    app.failure_message([](const CLI::App*, const CLI::Error& error) {
-        return std::string("hatchway: ") + error.what() + "\nRun with --help for what is allowed.\n";
-    });
 }
 
 void add_commands(CLI::App& app)
@@ -38,6 +37,7 @@ void add_commands(CLI::App& app)
     hw::add_pvs_command(app);
     hw::add_new_style_command(app);
     hw::add_schema_command(app);
+    hw::refuse_empty_values(app);
 }
 
 }  // namespace
@@ -51,10 +51,17 @@ int main(int argc, char** argv)
         app.parse(argc, argv);
         return kDone;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kDone : kBadUsage;
+        // Asking for help or the version is told as an error without a code.
+        if (error.get_exit_code() == 0) return app.exit(error);
+        hw::log_error(hw::usage_error(app, error).what());
+        return kBadUsage;
     } catch (const hw::Error& error) {
         hw::log_error(error.what());
         return hw::exit_code(error);
+    } catch (const std::filesystem::filesystem_error& error) {
+        // A name that a file system refuses, such as one that is too long.
+        hw::log_error(hw::Error({.what = error.code().message(), .file = error.path1().string()}).what());
+        return kBadUsage;
     } catch (const std::exception& error) {
         hw::log_error(std::string("internal error: ") + error.what());
         return kOurFault;

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <system_error>
+#include <functional>
 
-#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/images.hpp"
 #include "io/json_out.hpp"
 #include "io/svg_strokes.hpp"
@@ -17,6 +18,9 @@ namespace hw {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kMapFile = "map.json";
+constexpr std::size_t kMostLevels = 13;  // of 4096 texels
 
 struct MapArguments {
     fs::path folder;
@@ -46,19 +50,29 @@ Pixels preview_of(const MapLevels& map)
     return sheet;
 }
 
+fs::path level_file(const fs::path& folder, std::size_t level) { return folder / fmt::format("level_{}.png", level); }
+
+void check_outputs(const MapArguments& arguments)
+{
+    require_writable_folder(arguments.folder, "--out");
+    // The preview may lie in the map's own folder, which need not be there yet.
+    if (!is_in_folder(arguments.preview, arguments.folder)) require_writable(arguments.preview, "--preview");
+    std::vector<OutputFile> outputs{{"--out", arguments.folder / kMapFile}};
+    for (std::size_t i = 0; i < kMostLevels; ++i) outputs.push_back({"--out", level_file(arguments.folder, i)});
+    outputs.push_back({"--preview", arguments.preview});
+    require_distinct(outputs, {arguments.drawing});
+}
+
 void write_map(const MapLevels& map, const MapArguments& arguments)
 {
-    std::error_code failed;
-    fs::create_directories(arguments.folder, failed);
-    if (failed) throw Error({.what = "the folder cannot be made: " + failed.message(), .file = arguments.folder.string()});
-    for (std::size_t i = 0; i < map.levels.size(); ++i)
-        write_png(arguments.folder / fmt::format("level_{}.png", i), map.levels[i]);
+    make_folder(arguments.folder);
+    for (std::size_t i = 0; i < map.levels.size(); ++i) write_png(level_file(arguments.folder, i), map.levels[i]);
     constexpr const char* kKinds[] = {"hatch", "ink", "tonal"};
     JsonValue json = JsonValue::object();
     json.set("format", "hatchway-map/1").set("kind", kKinds[static_cast<int>(map.kind)]);
     json.set("levels", static_cast<int>(map.levels.size())).set("size_m", map.size_m);
     if (map.kind == MapKind::hatch) json.set("spacing_texels", map.spacing_texels);
-    write_json(arguments.folder / "map.json", json);
+    write_json(arguments.folder / kMapFile, json);
     if (!arguments.preview.empty()) write_png(arguments.preview, preview_of(map));
 }
 
@@ -89,6 +103,12 @@ MapLevels ink_map_of(MapArguments& arguments)
     return ink.map;
 }
 
+void make_map(const MapArguments& arguments, const std::function<MapLevels()>& draw)
+{
+    check_outputs(arguments);
+    write_map(draw(), arguments);
+}
+
 CLI::App* add_kind(CLI::App& map, const std::string& name, const std::string& help, MapArguments& arguments)
 {
     CLI::App* kind = map.add_subcommand(name, help);
@@ -107,31 +127,31 @@ void add_map_command(CLI::App& app)
 
     CLI::App* hatch = add_kind(*map, "hatch", "Parallel lines, equally far apart at every level", *arguments);
     hatch->add_option("--width", arguments->hatch.width_texels, "Texels of the finest level, a power of two")
-        ->check(CLI::IsMember({64, 128, 256, 512, 1024, 2048, 4096}));
-    hatch->add_option("--spacing", arguments->hatch.spacing_texels, "Texels between lines")->check(CLI::IsMember({4, 8, 16, 32}));
-    hatch->add_option("--line", arguments->hatch.line_texels, "Width of a line, texels")->check(CLI::Range(0.2, 4.0));
-    hatch->callback([arguments] { write_map(make_hatch_map(arguments->hatch), *arguments); });
+        ->check(one_of({"64", "128", "256", "512", "1024", "2048", "4096"}));
+    hatch->add_option("--spacing", arguments->hatch.spacing_texels, "Texels between lines")->check(one_of({"4", "8", "16", "32"}));
+    hatch->add_option("--line", arguments->hatch.line_texels, "Width of a line, texels")->check(number_in(0.2, 4.0));
+    hatch->callback([arguments] { make_map(*arguments, [&] { return make_hatch_map(arguments->hatch); }); });
 
     CLI::App* ink = add_kind(*map, "ink", "A drawing, inked anew at every level with the same pen", *arguments);
     ink->add_option("drawing", arguments->drawing, "SVG file with strokes")->required()->option_text("SVG");
     ink->add_option("--width", arguments->ink.width_texels, "Texels of the finest level")
-        ->check(CLI::IsMember({64, 128, 256, 512, 1024, 2048}));
-    ink->add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels")->check(CLI::Range(0.5, 8.0));
-    ink->add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface")->check(CLI::Range(0.001, 1000.0));
+        ->check(one_of({"64", "128", "256", "512", "1024", "2048"}));
+    ink->add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
+    ink->add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface")->check(number_in(0.001, 1000.0));
     ink->add_option("--method", arguments->method, "strokes; or filtered levels, for comparison: minimum, mean")
-        ->check(CLI::IsMember({"strokes", "minimum", "mean"}));
-    ink->callback([arguments] { write_map(ink_map_of(*arguments), *arguments); });
+        ->check(one_of({"strokes", "minimum", "mean"}));
+    ink->callback([arguments] { make_map(*arguments, [&] { return ink_map_of(*arguments); }); });
 
     CLI::App* tonal = add_kind(*map, "tonal", "Tones of nested strokes", *arguments);
     TonalMapDesc& desc = arguments->tonal;
-    tonal->add_option("--width", desc.size_texels, "Texels of one tone")->check(CLI::IsMember({64, 128, 256, 512}));
-    tonal->add_option("--pen", desc.pen_texels, "Width of a stroke, texels")->check(CLI::Range(0.5, 8.0));
-    tonal->add_option("--length", desc.length_share, "Length of strokes, of the map's width")->check(CLI::Range(0.05, 1.0));
-    tonal->add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray")->check(CLI::Range(0.0, 45.0));
-    tonal->add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes")->check(CLI::Range(0.0, 90.0));
-    tonal->add_option("--size-m", desc.size_m, "Width of one tone on a surface")->check(CLI::Range(0.001, 1000.0));
-    tonal->add_option("--seed", desc.seed, "Of all that is random");
-    tonal->callback([arguments] { write_map(make_tonal_map(arguments->tonal), *arguments); });
+    tonal->add_option("--width", desc.size_texels, "Texels of one tone")->check(one_of({"64", "128", "256", "512"}));
+    tonal->add_option("--pen", desc.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
+    tonal->add_option("--length", desc.length_share, "Length of strokes, of the map's width")->check(number_in(0.05, 1.0));
+    tonal->add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray")->check(number_in(0.0, 45.0));
+    tonal->add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes")->check(number_in(0.0, 90.0));
+    tonal->add_option("--size-m", desc.size_m, "Width of one tone on a surface")->check(number_in(0.001, 1000.0));
+    tonal->add_option("--seed", desc.seed, "Of all that is random")->check(whole_number_in(0, UINT32_MAX));
+    tonal->callback([arguments] { make_map(*arguments, [&] { return make_tonal_map(arguments->tonal); }); });
 }
 
 }  // namespace hw

@@ -7,6 +7,8 @@
 #include "core/files.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/json_out.hpp"
 #include "io/portal_file.hpp"
 
@@ -64,8 +66,7 @@ std::string rows_text(const LeafRows& rows)
 
 void run_pvs(const PvsArguments& arguments)
 {
-    require_writable(arguments.json, "--json");
-    require_writable(arguments.rows, "--rows");
+    require_outputs({{"--json", arguments.json}, {"--rows", arguments.rows}}, {arguments.file});
     const PortalFile portals = read_portal_file(arguments.file);
     PvsOptions options;
     options.effort = arguments.effort == "fast" ? PvsEffort::fast : PvsEffort::exact;
@@ -93,8 +94,8 @@ void add_pvs_command(CLI::App& app)
     auto arguments = std::make_shared<PvsArguments>();
     CLI::App* command = app.add_subcommand("pvs", "Computes which leaves of a Quake portal file see each other");
     command->add_option("file", arguments->file, "A portal file, PRT1 or PRT2 text")->required();
-    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(CLI::Range(0, 1024));
-    command->add_option("--pvs", arguments->effort, "How tight")->check(CLI::IsMember({"fast", "full", "exact"}));
+    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
+    command->add_option("--pvs", arguments->effort, "How tight")->check(one_of({"fast", "full", "exact"}));
     command->add_option("--rows", arguments->rows, "Writes for each leaf or cluster a line of those it sees")
         ->option_text("FILE");
     add_json_argument(*command, arguments->json);

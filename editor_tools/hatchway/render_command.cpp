@@ -9,6 +9,9 @@
 #include "gl/context.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/level_doubts.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "hatchway/shots.hpp"
 #include "hatchway/stats_text.hpp"
 #include "io/images.hpp"
@@ -31,31 +34,24 @@ struct RenderArguments {
 const std::map<std::string, LinePath> kLinePaths{
     {"automatic", LinePath::automatic}, {"native", LinePath::native}, {"quads", LinePath::quads}};
 
-void check_out(const RenderArguments& arguments)
+bool is_path(const RenderArguments& arguments) { return !arguments.shots.path.empty(); }
+
+std::vector<OutputFile> output_files(const RenderArguments& arguments)
 {
-    if (arguments.shots.path.empty()) {
-        require_writable(arguments.out, "--out");
-        if (arguments.out.extension() != ".png")
-            throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .png"});
-        return;
-    }
-    const fs::path folder = arguments.out.has_filename() ? arguments.out : arguments.out.parent_path();
-    if (fs::is_directory(folder))
-        require_writable(folder / "frame_0000.png", "--out");
-    else
-        require_writable(folder, "--out");
+    std::vector<OutputFile> outputs{{"--json", arguments.json}};
+    if (!is_path(arguments)) outputs.push_back({"--out", arguments.out});
+    return outputs;
 }
 
 void check_arguments(const RenderArguments& arguments)
 {
     parse_size(arguments.size);
     check_shot_arguments(arguments.shots);
-    if (arguments.samples != 1 && arguments.samples != 4)
-        throw Error({.what = fmt::format("--samples {}", arguments.samples), .expected = "1 or 4"});
-    if (!kLinePaths.contains(arguments.lines))
-        throw Error({.what = "--lines " + arguments.lines, .expected = "automatic, native or quads"});
-    check_out(arguments);
-    require_writable(arguments.json, "--json");
+    require_outputs(output_files(arguments), {arguments.level.file});
+    if (is_path(arguments))
+        require_writable_folder(arguments.out, "--out");
+    else if (arguments.out.extension() != ".png")
+        throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .png"});
 }
 
 FrameOptions frame_options(const RenderArguments& arguments)
@@ -82,11 +78,13 @@ void render(const RenderArguments& arguments)
     check_arguments(arguments);
     const glm::ivec2 size = parse_size(arguments.size);
     const auto context = make_headless_context();
+    require_fits(size, context->device());
     Stage stage(*context, stage_options(arguments.level));
+    require_distinct(output_files(arguments), {stage.level().scene_file});
+    warn_of_idle_styles(stage.level(), stage.scene(), arguments.level.styles.size());
     const std::vector<Shot> shots =
         shots_of(arguments.shots, stage.level(), stage.scene(), static_cast<double>(size.x) / size.y);
-    const bool is_path = !arguments.shots.path.empty();
-    if (is_path) fs::create_directory(arguments.out);
+    if (is_path(arguments)) make_folder(arguments.out);
 
     const FrameOptions options = frame_options(arguments);
     JsonValue frames = JsonValue::array();
@@ -95,7 +93,7 @@ void render(const RenderArguments& arguments)
         View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
         view.time_s = shots[i].time_s;
         const FrameStats stats = stage.draw(view, options);
-        const fs::path file = is_path ? arguments.out / fmt::format("frame_{:04}.png", i) : arguments.out;
+        const fs::path file = is_path(arguments) ? arguments.out / fmt::format("frame_{:04}.png", i) : arguments.out;
         write_png(file, stage.renderer().read_picture());
         frames.push(stats_json(stats).set("file", file.string()).set("time_s", shots[i].time_s));
         if (arguments.has_stats) std::cout << file.string() << '\n' << stats_text(stats);
@@ -118,9 +116,12 @@ void add_render_command(CLI::App& app)
     command->add_option("--out", arguments->out, "The PNG file; with --path a folder for frame_0000.png and on")
         ->required()
         ->option_text("FILE.png|DIR");
-    command->add_option("--samples", arguments->samples, "Samples for each pixel, 1 or 4")->option_text("N");
+    command->add_option("--samples", arguments->samples, "Samples for each pixel, 1 or 4")
+        ->option_text("N")
+        ->check(one_of({"1", "4"}));
     command->add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
-        ->option_text("WAY");
+        ->option_text("WAY")
+        ->check(one_of({"automatic", "native", "quads"}));
     command->add_flag("--stats", arguments->has_stats, "Print what each frame did");
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { render(*arguments); });

@@ -4,6 +4,7 @@
 #include "core/files.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/level_schema.hpp"
 #include "plugin_host/make_style.hpp"
 

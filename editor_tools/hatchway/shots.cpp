@@ -4,11 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "hatchway/arguments.hpp"
+#include "hatchway/option_rules.hpp"
 #include "walk/whole_scene.hpp"
 #include "world/camera_path.hpp"
 
@@ -71,10 +71,16 @@ void add_shot_arguments(CLI::App& command, ShotArguments& arguments)
     command.add_option("--camera", arguments.camera, "A camera of the level or the model")->option_text("NAME");
     command.add_option("--eye", arguments.eye, "Where to look from, metres, y up")->option_text("X,Y,Z");
     command.add_option("--target", arguments.target, "What to look at")->option_text("X,Y,Z");
-    command.add_option("--fov-deg", arguments.fov_deg, "Vertical field of view")->option_text("F");
+    command.add_option("--fov-deg", arguments.fov_deg, "Vertical field of view")
+        ->option_text("F")
+        ->check(number_in(1.0, 170.0));
     command.add_option("--path", arguments.path, "A camera path of the level, or turntable")->option_text("NAME");
-    command.add_option("--frames", arguments.frames, "That many pictures, spread evenly over the path")->option_text("N");
-    command.add_option("--time-s", arguments.time_s, "The time that the styles see, without a path")->option_text("T");
+    command.add_option("--frames", arguments.frames, "That many pictures, spread evenly over the path")
+        ->option_text("N")
+        ->check(whole_number_in(1, 100'000));
+    command.add_option("--time-s", arguments.time_s, "The time that the styles see, without a path")
+        ->option_text("T")
+        ->check(number_in(-1e9, 1e9));
 }
 
 void check_shot_arguments(const ShotArguments& arguments)
@@ -87,13 +93,8 @@ void check_shot_arguments(const ShotArguments& arguments)
                      .expected = "both or none"});
     if (!arguments.eye.empty() && parse_vector(arguments.eye, "--eye") == parse_vector(arguments.target, "--target"))
         throw Error({.what = "--eye and --target are the same place", .expected = "two places"});
-    if (arguments.fov_deg && !(*arguments.fov_deg >= 1.0 && *arguments.fov_deg <= 170.0))
-        throw Error({.what = fmt::format("--fov-deg {}", *arguments.fov_deg), .expected = "1 to 170"});
-    if (!std::isfinite(arguments.time_s)) throw Error({.what = "--time-s is no number", .expected = "seconds"});
     if (arguments.frames && arguments.path.empty())
         throw Error({.what = "--frames without --path", .expected = "a path to spread them over"});
-    if (arguments.frames && !(*arguments.frames >= 1 && *arguments.frames <= 100'000))
-        throw Error({.what = fmt::format("--frames {}", *arguments.frames), .expected = "1 to 100000"});
 }
 
 std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, const Scene& scene, double aspect)

@@ -8,6 +8,7 @@
 #include "geometry/silhouettes.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/output_files.hpp"
 #include "hatchway/scene_surfaces.hpp"
 #include "io/gltf_import.hpp"
 #include "io/json_out.hpp"
@@ -108,10 +109,11 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     const glm::dvec3 eye_world = parse_vector(arguments.eye, "--eye");
     if (!(arguments.crease_deg > 0.0 && arguments.crease_deg <= 180.0))
         throw Error({.what = fmt::format("--crease-deg {}", arguments.crease_deg), .expected = "above 0, at most 180"});
-    require_writable(arguments.json, "--json");
-    require_writable(arguments.dump_mesh, "--dump-mesh");
+    const std::vector<OutputFile> outputs{{"--json", arguments.json}, {"--dump-mesh", arguments.dump_mesh}};
+    require_outputs(outputs, {arguments.file});
 
     const Level level = read_level(arguments.file);
+    require_distinct(outputs, {level.scene_file});
     const Scene scene = import_gltf(level.scene_file, level.project_root);
     const std::vector<Surface> surfaces = scene_surfaces(scene);
     const auto crease_rad = static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0);

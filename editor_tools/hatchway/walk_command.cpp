@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/option_rules.hpp"
 #include "hatchway/walk_session.hpp"
 
 namespace hw {
@@ -19,10 +20,6 @@ void check_arguments(const WalkArguments& arguments)
 {
     parse_size(arguments.size);
     const WalkOptions& options = arguments.options;
-    if (options.samples && *options.samples != 1 && *options.samples != 4)
-        throw Error({.what = fmt::format("--samples {}", *options.samples), .expected = "1 or 4"});
-    if (options.target_fps != 0.0 && !(options.target_fps >= 1.0 && options.target_fps <= 1000.0))
-        throw Error({.what = fmt::format("--fps {}", options.target_fps), .expected = "1 to 1000"});
     // A wrong level is told before a window opens, and with the same words as everywhere.
     read_level_with(options.level.file, options.level.styles);
     if (!has_display())
@@ -58,9 +55,11 @@ void add_walk_command(CLI::App& app)
     command
         ->add_option("--fps", arguments->options.target_fps,
                      "Frames a second to hold by fewer samples and pixels: 60, or 30 on a software renderer")
-        ->option_text("F");
+        ->option_text("F")
+        ->check(number_in(1.0, 1000.0));
     command->add_option("--samples", arguments->options.samples, "Always 1 or 4 samples, whatever the frame rate")
-        ->option_text("N");
+        ->option_text("N")
+        ->check(one_of({"1", "4"}));
     command->footer(keys_text());
     command->callback([arguments] { walk(*arguments); });
 }

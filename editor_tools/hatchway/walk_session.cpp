@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "hatchway/level_doubts.hpp"
 #include "hatchway/shots.hpp"
 #include "io/images.hpp"
 #include "render/camera_view.hpp"
@@ -67,6 +68,7 @@ WalkSession::WalkSession(Window& window, WalkOptions options) : window_(window),
     const double usual_fps = is_software(window.device()) ? kSoftwareFps : kDeviceFps;
     goal_.target_fps = options_.target_fps > 0.0 ? options_.target_fps : usual_fps;
     open(stage_options(options_.level));
+    warn_of_idle_styles(stage_->level(), stage_->scene(), options_.level.styles.size());
     Camera first = start_camera(stage_->level(), stage_->scene(), aspect_of(window));
     if (!options_.camera.empty()) first = camera_named(options_.camera, stage_->level(), stage_->scene());
     place(first);

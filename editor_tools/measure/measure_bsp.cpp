@@ -9,6 +9,8 @@
 #include <random>
 
 #include "hatchway/arguments.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/gltf_import.hpp"
 #include "io/json_out.hpp"
 #include "io/level_file.hpp"
@@ -75,7 +77,7 @@ JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
 
 void measure_bsp(const BspMeasureArguments& arguments)
 {
-    require_writable(arguments.json, "--json");
+    require_outputs({{"--json", arguments.json}}, arguments.files);
     JsonValue rows = JsonValue::array();
     for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments.points));
     JsonValue json = JsonValue::object();
@@ -92,7 +94,7 @@ void add_measure_bsp(CLI::App& measure)
     CLI::App* command =
         measure.add_subcommand("bsp", "Seconds, pieces, misclassified points and area error of the BSP");
     command->add_option("files", arguments->files, "Levels or models")->required();
-    command->add_option("--points", arguments->points, "Points to classify");
+    command->add_option("--points", arguments->points, "Points to classify")->check(whole_number_in(1, 1'000'000'000));
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { measure_bsp(*arguments); });
 }

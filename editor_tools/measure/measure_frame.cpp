@@ -11,6 +11,8 @@
 #include "core/progress.hpp"
 #include "gl/context.hpp"
 #include "hatchway/arguments.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "hatchway/shots.hpp"
 #include "io/json_out.hpp"
 #include "measure/measures.hpp"
@@ -143,8 +145,9 @@ void measure_frame(const FrameMeasureArguments& arguments)
     const glm::ivec2 size = parse_size(arguments.size);
     const ShotArguments shot_arguments{.path = arguments.path, .frames = arguments.frames};
     check_shot_arguments(shot_arguments);
-    require_writable(arguments.json, "--json");
+    require_outputs({{"--json", arguments.json}}, {arguments.level.file});
     const auto context = make_headless_context();
+    require_fits(size, context->device());
     Stage stage(*context, stage_options(arguments.level));
     std::vector<View> views;
     for (const Shot& shot :
@@ -182,7 +185,9 @@ void add_measure_frame(CLI::App& measure)
         measure.add_subcommand("frame", "Milliseconds per phase along a path: styles, 1 and 4 samples, PVS on and off");
     add_level_arguments(*command, arguments->level);
     command->add_option("--path", arguments->path, "A camera path of the level, or turntable; tour")->option_text("NAME");
-    command->add_option("--frames", arguments->frames, "Frames for each row, spread evenly; 50")->option_text("N");
+    command->add_option("--frames", arguments->frames, "Frames for each row, spread evenly; 50")
+        ->option_text("N")
+        ->check(whole_number_in(1, 100'000));
     command->add_option("--size", arguments->size, "Size of the picture, 1280x720")->option_text("WxH");
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { measure_frame(*arguments); });

@@ -8,6 +8,8 @@
 
 #include "core/progress.hpp"
 #include "hatchway/arguments.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/json_out.hpp"
 #include "measure/light_error.hpp"
 #include "measure/measures.hpp"
@@ -97,7 +99,7 @@ JsonValue measure_leaks()
 
 void measure_lightmap(const LightmapMeasureArguments& arguments)
 {
-    require_writable(arguments.json, "--json");
+    require_outputs({{"--json", arguments.json}}, {});
     JsonValue rows = measure_cases(arguments.samples);
     JsonValue leaks = measure_leaks();
     if (arguments.json.empty()) return;
@@ -113,7 +115,7 @@ void add_measure_lightmap(CLI::App& measure)
         "lightmap", "Seconds and error of baked light against closed forms, over samples; leaks into closed rooms");
     command->add_option("--samples", arguments->samples, "Of each luxel in the last pass; those of final quality")
         ->option_text("N")
-        ->check(CLI::Range(8, 65536));
+        ->check(whole_number_in(8, 65536));
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { measure_lightmap(*arguments); });
 }

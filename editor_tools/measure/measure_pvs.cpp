@@ -6,6 +6,8 @@
 #include <iostream>
 
 #include "hatchway/arguments.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/gltf_import.hpp"
 #include "io/json_out.hpp"
 #include "io/level_file.hpp"
@@ -72,7 +74,7 @@ void measure_file(const std::filesystem::path& file, const PvsMeasureArguments& 
 
 void measure_pvs_command(const PvsMeasureArguments& arguments)
 {
-    require_writable(arguments.json, "--json");
+    require_outputs({{"--json", arguments.json}}, arguments.files);
     JsonValue rows = JsonValue::array();
     for (const std::filesystem::path& file : arguments.files) measure_file(file, arguments, rows);
     JsonValue json = JsonValue::object();
@@ -89,11 +91,11 @@ void add_measure_pvs(CLI::App& measure)
     CLI::App* command =
         measure.add_subcommand("pvs", "Seconds, over-estimate and false invisibles of the potentially visible set");
     command->add_option("files", arguments->files, "Levels or models")->required();
-    command->add_option("--rays", arguments->rays, "Rays for each effort");
+    command->add_option("--rays", arguments->rays, "Rays for each effort")->check(whole_number_in(1, 1'000'000'000));
     command->add_option("--pvs", arguments->efforts, "Efforts to measure")
-        ->check(CLI::IsMember({"fast", "full", "exact"}))
+        ->check(one_of({"fast", "full", "exact"}))
         ->delimiter(',');
-    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(CLI::Range(0, 1024));
+    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { measure_pvs_command(*arguments); });
 }

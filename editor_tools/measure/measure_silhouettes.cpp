@@ -13,7 +13,10 @@
 #include "core/progress.hpp"
 #include "geometry/half_edge_mesh.hpp"
 #include "geometry/silhouettes.hpp"
+#include "core/limits.hpp"
 #include "hatchway/arguments.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
 #include "io/gltf_import.hpp"
 #include "io/json_out.hpp"
 #include "io/level_file.hpp"
@@ -250,9 +253,7 @@ MeshData merged_mesh(const std::filesystem::path& file)
 
 void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 {
-    if (arguments.views < 1 || arguments.views > 100000)
-        throw Error({.what = fmt::format("--views {}", arguments.views), .expected = "1 to 100000"});
-    require_writable(arguments.json, "--json");
+    require_outputs({{"--json", arguments.json}}, arguments.files);
     JsonValue rows = JsonValue::array();
     Progress progress("Measuring silhouettes",
                       arguments.files.size() * arguments.offsets.size() * arguments.scales.size());
@@ -283,11 +284,17 @@ void add_measure_silhouettes(CLI::App& measure)
     auto arguments = std::make_shared<SilhouetteMeasureArguments>();
     CLI::App* command = measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
     command->add_option("models", arguments->files, "Models or levels")->required()->option_text("GLB...");
-    command->add_option("--views", arguments->views, "Views around the model; 26")->option_text("N");
+    command->add_option("--views", arguments->views, "Views around the model; 26")
+        ->option_text("N")
+        ->check(whole_number_in(1, 100'000));
     command->add_option("--offset", arguments->offsets, "Move the model; 0,1e3,1e5,1e6")
         ->delimiter(',')
-        ->option_text("LIST");
-    command->add_option("--scale", arguments->scales, "Scale the model first; 1")->delimiter(',')->option_text("LIST");
+        ->option_text("LIST")
+        ->check(number_in(0.0, limits::kMaxCoordinate));
+    command->add_option("--scale", arguments->scales, "Scale the model first; 1")
+        ->delimiter(',')
+        ->option_text("LIST")
+        ->check(number_in(1e-9, 1e9));
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { measure_silhouettes(*arguments); });
 }

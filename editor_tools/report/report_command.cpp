@@ -1,6 +1,9 @@
 // Runs the measurements one after the other, keeps what they write as JSON, and makes one page of it. A measurement that
 // fails leaves its reason on the page and the others run on.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -66,12 +69,24 @@ MeasuredSection measured(const ReportSection& section, const ReportArguments& ar
     return result;
 }
 
+void refuse_unknown_sections(const std::vector<std::string>& wanted, const std::vector<ReportSection>& plan)
+{
+    std::vector<std::string> names;
+    for (const ReportSection& section : plan) names.push_back(section.name);
+    for (const std::string& name : wanted)
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            throw Error({.what = "--only " + name, .expected = fmt::format("one of: {}", fmt::join(names, ", "))});
+}
+
 void write_report(const ReportArguments& arguments)
 {
-    if (!fs::is_directory(arguments.out))
+    std::error_code missing;
+    if (!fs::is_directory(arguments.out, missing))
         throw Error({.what = "is no folder", .file = arguments.out.string(), .expected = "an existing folder for --out"});
+    const std::vector<ReportSection> plan = report_plan(installation_prefix() / "share" / "hatchway", arguments.data);
+    refuse_unknown_sections(arguments.only, plan);
     std::vector<MeasuredSection> sections;
-    for (const ReportSection& section : report_plan(installation_prefix() / "share" / "hatchway", arguments.data)) {
+    for (const ReportSection& section : plan) {
         const auto& only = arguments.only;
         if (!only.empty() && std::find(only.begin(), only.end(), section.name) == only.end()) continue;
         sections.push_back(measured(section, arguments));

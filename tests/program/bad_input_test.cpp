@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+
 #include "program/run_program.hpp"
 
 namespace {
@@ -180,6 +182,143 @@ TEST_F(bad_input, walking_without_a_display)
 TEST_F(bad_input, a_plugin_folder_that_is_not_there)
 {
     expect_refused(render(folder_ / "prism.glb", {"--plugin-dir", folder_ / "none"}), {"none"});
+}
+
+TEST_F(bad_input, an_output_that_is_an_input)
+{
+    const std::string file = level("");
+    const std::string model = folder_ / "prism.glb";
+    const std::string portals = folder_.write("room.prt", "PRT1\n1\n0\n");
+    fs::create_symlink(file, folder_ / "alias.json");
+    const std::string before = hw::test::bytes_of(file) + hw::test::bytes_of(model) + hw::test::bytes_of(portals);
+    const std::vector<std::vector<std::string>> commands{
+        {"check", file, "--json", file},
+        {"check", file, "--json", model},
+        {"check", file, "--json", (folder_.path() / "." / "bad.level.json").string()},
+        {"info", model, "--json", model},
+        {"info", file, "--json", folder_ / "alias.json"},
+        {"bake", file, "--out", file},
+        {"bake", file, "--out", model},
+        {"silhouettes", file, "--eye", "0,0,9", "--json", file},
+        {"silhouettes", file, "--eye", "0,0,9", "--dump-mesh", model},
+        {"pvs", portals, "--rows", portals},
+        {"render", file, "--out", out_, "--json", file},
+        {"render", file, "--out", out_, "--json", model},
+        {"measure", "silhouettes", model, "--json", model}};
+    for (const std::vector<std::string>& command : commands)
+        expect_refused(run_program(command), {command[command.size() - 2] + ": is a file that is read"});
+    EXPECT_EQ(hw::test::bytes_of(file) + hw::test::bytes_of(model) + hw::test::bytes_of(portals), before);
+}
+
+TEST_F(bad_input, two_outputs_that_are_the_same_file)
+{
+    const std::string model = folder_ / "prism.glb";
+    expect_refused(render(model, {"--json", out_}), {"--json", "--out", "is the file of"});
+    expect_refused(
+        run_program({"silhouettes", model, "--eye", "0,0,9", "--json", folder_ / "a", "--dump-mesh", folder_ / "a"}),
+        {"--dump-mesh: is the file of --json"});
+    expect_refused(run_program({"map", "hatch", "--out", folder_ / "new", "--preview", folder_ / "new/level_0.png"}),
+                   {"--preview: is the file of --out"});
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"prism.glb"});
+}
+
+TEST_F(bad_input, a_number_that_is_none_or_out_of_range)
+{
+    const std::string map = folder_ / "new";
+    const std::string model = folder_ / "prism.glb";
+    for (const char* number : {"nan", "inf", "-1", "1e400", "4x", ""}) {
+        expect_refused(run_program({"map", "hatch", "--out", map, "--line", number}), {"--line", number, "expected 0.2 to 4"});
+        expect_refused(run_program({"map", "tonal", "--out", map, "--pen", number}), {"--pen", "expected 0.5 to 8"});
+        expect_refused(run_program({"map", "tonal", "--out", map, "--angle-spread-deg", number}), {"expected 0 to 45"});
+        expect_refused(run_program({"map", "tonal", "--out", map, "--size-m", number}), {"expected 0.001 to 1000"});
+        expect_refused(run_program({"bake", model, "--luxels-per-m", number}), {"expected 0.01 to 1000"});
+        expect_refused(render(model, {"--frames", number, "--path", "turntable"}), {"--frames", "expected 1 to 100000"});
+    }
+    expect_refused(render(model, {"--time-s", "nan"}), {"--time-s", "expected"});
+    expect_refused(run_program({"map", "hatch", "--out", map, "--width", "65"}), {"--width", "65", "64, 128", "or 4096"});
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"prism.glb"});
+}
+
+TEST_F(bad_input, a_name_longer_than_a_file_system_takes)
+{
+    const std::string long_name(5000, 'n');
+    const std::string folder = folder_.path().string();
+    const std::string model = folder_ / "prism.glb";
+    expect_refused(run_program({"new-style", std::string(300, 'n'), "--in", folder}), {"too long"});
+    expect_refused(run_program({"new-style", "pencil", "--in", "/" + long_name}), {"--in"});
+    expect_refused(run_program({"schema", "--plugin-dir", "/" + long_name}), {"nnn"});
+    expect_refused(render("/" + long_name + ".glb"), {"nnn"});
+    expect_refused(render(model, {"--json", "/" + long_name + "/a.json"}), {"--json"});
+    expect_refused(run_program({"render", model, "--path", "turntable", "--out", folder + "/" + long_name}), {"nnn"});
+}
+
+TEST_F(bad_input, a_map_whose_folder_or_preview_cannot_be_written)
+{
+    expect_refused(run_program({"map", "hatch", "--out", folder_ / "new", "--preview", folder_ / "none/p.png"}),
+                   {"--preview", "no folder"});
+    expect_refused(run_program({"map", "hatch", "--out", folder_ / "none/new"}), {"--out", "no folder"});
+    expect_refused(run_program({"map", "hatch", "--out", folder_ / "prism.glb"}), {"--out", "is no folder"});
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"prism.glb"});
+    const std::string map = folder_ / "new";
+    const ProgramResult good = run_program({"map", "hatch", "--out", map + "/", "--preview", map + "/preview.png"});
+    EXPECT_EQ(good.exit_code, 0) << good.err;
+    EXPECT_TRUE(fs::exists(map + "/preview.png"));
+}
+
+TEST_F(bad_input, a_name_that_makes_no_style)
+{
+    const std::string folder = folder_.path().string();
+    for (const char* name : {"class", "int", "xor_eq"})
+        expect_refused(run_program({"new-style", name, "--in", folder}), {name, "word of C++"});
+    expect_refused(run_program({"new-style", "photoreal", "--in", folder}), {"photoreal", "taken"});
+    expect_refused(run_program({"new-style", "pencil", "--in", folder_ / "none"}), {"--in", "no folder"});
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"prism.glb"});
+}
+
+TEST_F(bad_input, a_word_that_nobody_knows_is_named_in_one_line)
+{
+    const auto expect_line = [this](const std::vector<std::string>& command, const std::vector<std::string>& words) {
+        const ProgramResult result = run_program(command);
+        expect_refused(result, words);
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    };
+    expect_line({"nope"}, {"unknown command nope", "render", "new-style"});
+    expect_line({"map", "nope"}, {"unknown command nope", "hatch", "tonal"});
+    expect_line({"render", "a.glb", "--nope"}, {"hatchway render: unknown option --nope", "--out", "--samples"});
+    expect_line({"info", "a.glb", "b.glb"}, {"one word too many: b.glb"});
+    expect_line({}, {"no command", "render"});
+    expect_line({"render", "a.glb"}, {"--out is required", "hatchway render --help"});
+    expect_line({"bake", "a.glb", "--quality", "best"}, {"--quality", "best", "expected draft or final"});
+}
+
+TEST_F(bad_input, a_picture_larger_than_any_device_draws)
+{
+    const ProgramResult result = run_program({"render", folder_ / "prism.glb", "--out", out_, "--size", "16384x16384"});
+    expect_refused(result, {"--size 16384x16384", "at most", "pixels"});
+    EXPECT_LT(result.seconds, 5.0);
+}
+
+TEST_F(bad_input, an_option_without_a_value)
+{
+    const std::string model = folder_ / "prism.glb";
+    for (const char* option : {"--camera", "--path", "--eye", "--json", "--style", "--plugin-dir", "--samples"})
+        expect_refused(render(model, {option, ""}), {option});
+    expect_refused(run_program({"bake", model, "--out", ""}), {"--out", "is empty"});
+}
+
+TEST_F(bad_input, a_style_option_that_names_nothing_is_warned_of)
+{
+    const ProgramResult idle = render(folder_ / "prism.glb", {"--style", "*=photoreal", "--style", "no_such_node=photoreal"});
+    EXPECT_EQ(idle.exit_code, 0) << idle.err;
+    EXPECT_NE(idle.err.find("--style 2: \"no_such_node\" names nothing in the model"), std::string::npos) << idle.err;
+    EXPECT_EQ(idle.err.find("--style 1"), std::string::npos) << idle.err;
+}
+
+TEST_F(bad_input, a_section_that_no_report_has)
+{
+    expect_refused(run_program({"report", "--out", folder_.path().string(), "--only", "zz"}),
+                   {"--only zz", "silhouettes", "lightmap"});
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"prism.glb"});
 }
 
 TEST_F(bad_input, leaves_no_temporary_files)
