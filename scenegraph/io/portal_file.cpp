@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -72,10 +73,7 @@ class Words {
     }
 
  private:
-    static bool is_gap(char c)
-    {
-        return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '(' || c == ')';
-    }
+    static bool is_gap(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '(' || c == ')'; }
     void skip_gap()
     {
         while (at_ < text_.size() && is_gap(text_[at_])) ++at_;
@@ -128,6 +126,15 @@ void read_portal(Words& words, PortalFile& result)
     result.graph.portals.push_back(std::move(back));
 }
 
+/// PRT2 ends with a line for each cluster: its leaves, then -1.
+void read_clusters(Words& words, PortalFile& result)
+{
+    const int leaves = static_cast<int>(result.cluster_of_leaf.size());
+    for (int cluster = 0; cluster < result.graph.leaf_count; ++cluster)
+        for (int leaf = 0; (leaf = words.whole(-1, leaves - 1, "a leaf of the cluster, or -1")) != -1;)
+            result.cluster_of_leaf[leaf] = cluster;
+}
+
 }  // namespace
 
 PortalFile parse_portals(std::string_view text, const std::string& file)
@@ -141,9 +148,11 @@ PortalFile parse_portals(std::string_view text, const std::string& file)
     result.graph.leaf_count = has_clusters ? words.whole(1, kMostLeaves, "the number of clusters") : leaves;
     result.portals_in_file = words.whole(0, kMostPortals, "the number of portals");
     for (int i = 0; i < result.portals_in_file; ++i) read_portal(words, result);
-    for (int leaf = 0; leaf < leaves; ++leaf) {
-        result.cluster_of_leaf.push_back(
-            has_clusters ? words.whole(0, result.graph.leaf_count - 1, "the cluster of a leaf") : leaf);
+    result.cluster_of_leaf.resize(leaves);
+    if (has_clusters) {
+        read_clusters(words, result);
+    } else {
+        std::iota(result.cluster_of_leaf.begin(), result.cluster_of_leaf.end(), 0);
     }
     words.end();
     return result;

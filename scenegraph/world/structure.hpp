@@ -12,8 +12,8 @@ namespace hw {
 
 /// What becomes structure where the level does not say.
 struct StructureOptions {
-    int max_structure = 20000;
-    int max_details = 40000;
+    int max_structure = 6000;
+    int max_details = 6000;
     double least_area_share = 1.5e-2;  ///< All that lies in one plane, of the largest side of the scene's box.
 };
 

@@ -17,10 +17,10 @@ namespace hw {
 /// How the potentially visible set is made. Every choice is conservative.
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
-    int max_structure_polygons = 20000;  ///< The largest planes win; what does not is detail.
-    int max_detail_polygons = 40000;     ///< Details past this do not block.
-    double least_area_share = 1.5e-2;    ///< Least area in one plane, of the largest side of the scene's box.
-    int max_clusters = 1000;             ///< Past this small ones that are open to each other are merged.
+    int max_structure_polygons = 6000;  ///< The largest planes win; what does not is detail.
+    int max_detail_polygons = 6000;     ///< Details past this do not block.
+    double least_area_share = 1.5e-2;   ///< Least area in one plane, of the largest side of the scene's box.
+    int max_clusters = 1000;            ///< Past this small ones that are open to each other are merged.
     double flow_seconds = 10.0;  ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
     int threads = 0;             ///< 0: as many as the machine has.
 };

@@ -23,7 +23,7 @@ TEST(portal_file, reads_both_directions_of_each_portal)
 
 TEST(portal_file, clusters_hold_leaves)
 {
-    const PortalFile file = parse_portals("PRT2\n3\n2\n1\n3 0 1 (0 0 0) (0 1 0) (0 1 1)\n0\n1\n1\n", "t.prt");
+    const PortalFile file = parse_portals("PRT2\n3\n2\n1\n3 0 1 (0 0 0) (0 1 0) (0 1 1)\n0 -1\n1 2 -1\n", "t.prt");
     EXPECT_EQ(file.graph.leaf_count, 2);
     EXPECT_EQ(file.cluster_of_leaf, (std::vector<int>{0, 1, 1}));
 }

@@ -5,6 +5,7 @@
 
 #include "core/files.hpp"
 #include "plugin_tests.hpp"
+#include "temporary_folder.hpp"
 
 using namespace hw;
 using namespace hw::test;
@@ -14,19 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path fresh_folder()
-{
-    const fs::path folder = fs::path(testing::TempDir()) / "hatchway_new_style";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
-
 }  // namespace
 
 TEST(new_style, writes_all_files_with_the_style_s_name_in_them)
 {
-    const fs::path folder = fresh_folder();
+    const TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     const auto files = write_new_style("soft_pencil", folder);
     EXPECT_EQ(files.size(), 4u);
     const std::string source = read_text_file(folder / "soft_pencil" / "soft_pencil.cpp", 100000);
@@ -37,7 +31,8 @@ TEST(new_style, writes_all_files_with_the_style_s_name_in_them)
 
 TEST(new_style, refuses_a_bad_name_and_writes_nothing)
 {
-    const fs::path folder = fresh_folder();
+    const TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     for (const char* name : {"", "Pencil", "2b", "../x", "a-b"})
         EXPECT_THAT(refusal([&] { write_new_style(name, folder); }), HasSubstr("expected a-z, 0-9 and _")) << name;
     EXPECT_TRUE(fs::is_empty(folder));
@@ -45,7 +40,8 @@ TEST(new_style, refuses_a_bad_name_and_writes_nothing)
 
 TEST(new_style, refuses_to_write_over_something)
 {
-    const fs::path folder = fresh_folder();
+    const TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     fs::create_directories(folder / "pencil");
     EXPECT_THAT(refusal([&] { write_new_style("pencil", folder); }), HasSubstr("already something of that name"));
 }

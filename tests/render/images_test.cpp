@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.hpp"
+#include "temporary_folder.hpp"
 #include "test_scenes.hpp"
 
 namespace hw::test {
@@ -165,8 +166,8 @@ TEST_F(images, a_new_look_is_what_a_fresh_load_shows)
 
 TEST_F(images, a_saved_shader_shows_and_a_broken_one_keeps_the_last_good)
 {
-    const fs::path folder = fs::temp_directory_path() / "hatchway_reload_test";
-    fs::create_directories(folder);
+    const TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     const auto write = [&](const std::string& colour) {
         std::ofstream(folder / "test_flat.frag")
             << "#include \"surface.glsl\"\nvoid main() { hw_output(" << colour << ", 1.0); }\n";
@@ -189,13 +190,12 @@ TEST_F(images, a_saved_shader_shows_and_a_broken_one_keeps_the_last_good)
         EXPECT_THAT(error.what(), testing::HasSubstr("test_flat.frag:2"));
     }
     EXPECT_EQ(draw(view).at(160, 120)[1], 255);
-    fs::remove_all(folder);
 }
 
 TEST_F(images, a_style_that_cuts_holes_shows_what_lies_behind)
 {
-    const fs::path folder = fs::temp_directory_path() / "hatchway_hole_test";
-    fs::create_directories(folder);
+    const TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     std::ofstream(folder / "test_flat.frag") << "#include \"surface.glsl\"\nvoid main() { HwSurface s = hw_surface();\n"
                                                 "if (s.position_world.z > 0.4) discard;\n"
                                                 "hw_output(vec3(s.position_world.z < -1.0 ? 1.0 : 0.0), 1.0); }\n";
@@ -205,7 +205,6 @@ TEST_F(images, a_style_that_cuts_holes_shows_what_lies_behind)
     load(style);
     style.prepare(renderer_->program_cache(folder));
     EXPECT_EQ(draw(view_from({0, 0, 4}, {0, 0, 0}), {.samples = 1}).at(160, 120)[0], 255);
-    fs::remove_all(folder);
 }
 
 }  // namespace
