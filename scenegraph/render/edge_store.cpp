@@ -60,7 +60,8 @@ void EdgeStore::assign_lines(ObjectId object, const EdgeUse& use, const Seams* s
 {
     ObjectEdges& edges = objects_[object];
     if (!seams->hidden.empty() || !seams->partly_hidden.empty()) {
-        edges.own_lines = std::make_unique<LineMesh>(build_line_mesh(*edges.surface, use.crease_rad, seams, indices_));
+        edges.own_lines = std::make_unique<LineMesh>(
+            build_line_mesh(*edges.surface, use.crease_rad, seams, key_of(object).is_solid, indices_));
         edges.lines = edges.own_lines.get();
         ++line_meshes_built_;
         return;
@@ -72,7 +73,8 @@ void EdgeStore::assign_lines(ObjectId object, const EdgeUse& use, const Seams* s
         return;
     }
     ++line_meshes_built_;
-    edges.lines = &(shared_lines_[key] = build_line_mesh(*edges.surface, use.crease_rad, nullptr, indices_));
+    edges.lines = &(shared_lines_[key] =
+                        build_line_mesh(*edges.surface, use.crease_rad, nullptr, key_of(object).is_solid, indices_));
 }
 
 const Surface* EdgeStore::surface(ObjectId object) const

@@ -39,7 +39,7 @@ struct LineDrawer::Stretch {
 struct LineDrawer::LineProgram {
     const GpuProgram* gpu = nullptr;
     Primitive primitive = Primitive::triangles;
-    int clip_from_object, relative_from_object, fade, presence_height, presence_inverted;
+    int clip_from_object, relative_from_object, eye_object, fade, presence_height, presence_inverted;
 };
 
 LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices)
@@ -95,6 +95,7 @@ std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, boo
                            .primitive = primitive,
                            .clip_from_object = linked.at.clip_from_object,
                            .relative_from_object = linked.at.relative_from_object,
+                           .eye_object = linked.gpu.location("hw_line_eye_object"),
                            .fade = gpu.location("hw_line_fade"),
                            .presence_height = linked.at.presence_height,
                            .presence_inverted = linked.at.presence_inverted};
@@ -177,6 +178,7 @@ void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, c
     const View& view = *frame.view;
     GpuProgram::set(program.clip_from_object, item.object->clip_from_object);
     GpuProgram::set(program.relative_from_object, item.object->relative_from_object);
+    GpuProgram::set(program.eye_object, glm::vec3(glm::inverse(item.object->relative_from_object)[3]));
     GpuProgram::set(program.fade,
                     glm::vec4(lines.mean_length * item.object->scale, look.far.none_spacing_px * view.px_scale,
                               look.far.full_spacing_px * view.px_scale, look.far.is_on ? 1.0f : 0.0f));

@@ -22,7 +22,10 @@ bool is_cut_by_angle(EdgeGroup group)
 /// Gathers runs of lines in the order in which they are drawn.
 class RunBuilder {
  public:
-    RunBuilder(const Surface& surface, const Seams* seams) : surface_(surface), seams_(seams) {}
+    RunBuilder(const Surface& surface, const Seams* seams, bool is_culled)
+        : surface_(surface), seams_(seams), has_sides_(is_culled && surface.report.flipped_faces == 0)
+    {
+    }
 
     void add(EdgeRange range, LineClass line_class, EdgeGroup group)
     {
@@ -30,7 +33,7 @@ class RunBuilder {
         for (std::uint32_t id = range.begin; id < range.end; ++id) {
             if (is_hidden(id)) continue;
             const auto& ends = surface_.edges.vertices[id];
-            add_line(surface_.positions[ends[0]], surface_.positions[ends[1]], line_class);
+            add_line(surface_.positions[ends[0]], surface_.positions[ends[1]], line_class, sides_of(id));
             if (is_cut_by_angle(group)) run.edge_ids.push_back(id);
         }
         finish(std::move(run));
@@ -39,7 +42,7 @@ class RunBuilder {
     {
         if (seams_ == nullptr) return;
         LineMesh::Run run{LineClass::border, line_count(), 0, EdgeGroup::border, {}};
-        for (const auto& piece : seams_->kept) add_line(piece[0], piece[1], LineClass::border);
+        for (const auto& piece : seams_->kept) add_line(piece[0], piece[1], LineClass::border, {});
         finish(std::move(run));
     }
 
@@ -54,9 +57,30 @@ class RunBuilder {
     {
         return seams_ != nullptr && (is_among(seams_->hidden, id) || is_among(seams_->partly_hidden, id));
     }
-    void add_line(const glm::vec3& a, const glm::vec3& b, LineClass line_class)
+    glm::vec3 normal_of(std::uint32_t face) const
     {
-        append_line(vertices, a, b, line_class);
+        const auto& corners = surface_.faces[face];
+        const glm::vec3& p = surface_.positions[corners[0]];
+        const glm::vec3 area = glm::cross(surface_.positions[corners[1]] - p, surface_.positions[corners[2]] - p);
+        const float size = glm::length(area);
+        return size > 0.0f ? area / size : glm::vec3(0.0f);
+    }
+    /// None where a repair turned faces: the drawn ones wind as the model says. None for complex edges: they have more.
+    LineSides sides_of(std::uint32_t id) const
+    {
+        const auto& faces = surface_.edges.faces[id];
+        const bool is_border = id < surface_.edges.two_faced().begin;
+        if (!has_sides_ || faces[0] >= surface_.faces.size()) return {};
+        const LineSides alone{normal_of(faces[0]), normal_of(faces[0])};
+        if (faces[1] == kNoFace) return alone;
+        if (is_border || faces[1] >= surface_.faces.size()) return {};
+        const LineSides both{alone.normal_a, normal_of(faces[1])};
+        const bool has_both = both.normal_a != glm::vec3(0.0f) && both.normal_b != glm::vec3(0.0f);
+        return has_both ? both : LineSides{};
+    }
+    void add_line(const glm::vec3& a, const glm::vec3& b, LineClass line_class, const LineSides& sides)
+    {
+        append_line(vertices, a, b, line_class, sides);
         length_sum += glm::distance(a, b);
     }
     void finish(LineMesh::Run run)
@@ -67,6 +91,7 @@ class RunBuilder {
 
     const Surface& surface_;
     const Seams* seams_;
+    bool has_sides_;
 };
 
 }  // namespace
@@ -104,22 +129,27 @@ LineBuffer make_line_buffer(const LineIndices& indices)
                             .offset_bytes = offset};
     };
     const std::array streams = {stream(VertexInput::position, 3, offsetof(LineVertex, position)),
-                                stream(VertexInput::other, 4, offsetof(LineVertex, other))};
+                                stream(VertexInput::other, 4, offsetof(LineVertex, other)),
+                                stream(VertexInput::normal, 3, offsetof(LineVertex, normal_a)),
+                                stream(VertexInput::tangent, 3, offsetof(LineVertex, normal_b))};
     buffer.as_quads = GpuVertexArray(streams, &indices.quads());
     buffer.as_ends = GpuVertexArray(streams, &indices.ends());
     return buffer;
 }
 
-void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class)
+void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class,
+                 const LineSides& sides)
 {
-    const auto number = static_cast<float>(line_class);
-    vertices.insert(vertices.end(), {{a, b, number}, {a, b, number}, {b, a, number}, {b, a, number}});
+    const LineVertex from{a, b, static_cast<float>(line_class), sides.normal_a, sides.normal_b};
+    const LineVertex to{b, a, static_cast<float>(line_class), sides.normal_a, sides.normal_b};
+    vertices.insert(vertices.end(), {from, from, to, to});
 }
 
-LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, LineIndices& indices)
+LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, bool is_culled,
+                         LineIndices& indices)
 {
     const EdgeClasses classes = classes_at(surface, crease_rad);
-    RunBuilder builder(surface, seams);
+    RunBuilder builder(surface, seams, is_culled);
     builder.add(classes.borders, LineClass::border, EdgeGroup::border);
     builder.add_kept_pieces();
     builder.add(classes.artist[0], LineClass::artist, EdgeGroup::artist_convex);

@@ -18,6 +18,16 @@ struct LineVertex {
     glm::vec3 position;
     glm::vec3 other;   ///< The other end.
     float line_class;  ///< LineClass
+    /// Unit normals of the faces beside the line, equal at a border: a line whose faces are all culled is not drawn.
+    /// Zero: drawn whatever the faces do.
+    glm::vec3 normal_a;
+    glm::vec3 normal_b;
+};
+
+/// The normals beside a line; zero by default.
+struct LineSides {
+    glm::vec3 normal_a{0.0f};
+    glm::vec3 normal_b{0.0f};
 };
 
 /// Index buffers that all lines share: quads, and the same vertices as GL_LINES and GL_POINTS. They grow on demand,
@@ -44,7 +54,8 @@ struct LineBuffer {
 
 LineBuffer make_line_buffer(const LineIndices& indices);
 
-void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class);
+void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class,
+                 const LineSides& sides = {});
 
 /// The lines of one surface that are drawn from every viewpoint. Ridges and valleys stand by falling fold, so that a
 /// larger crease angle draws the beginning of their runs.
@@ -62,8 +73,10 @@ struct LineMesh {
     float mean_length = 0.0f;  ///< Of its lines, object space.
 };
 
-/// `seams` may be null; else its hidden edges are left out and its kept pieces become borders.
-LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, LineIndices& indices);
+/// `seams` may be null; else its hidden edges are left out and its kept pieces become borders. `is_culled`: faces that
+/// look away are not drawn.
+LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, bool is_culled,
+                         LineIndices& indices);
 
 /// How many lines of a run a crease angle draws.
 std::uint32_t run_length_at(const LineMesh::Run& run, const Surface& surface, float crease_rad);

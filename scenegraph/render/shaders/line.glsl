@@ -5,12 +5,24 @@
 
 in vec3 hw_in_position;
 in vec4 hw_in_other;  // xyz the other end, w class
+in vec3 hw_in_normal;   // of the faces beside the line; zero: drawn whatever they do
+in vec3 hw_in_tangent;
 
 uniform mat4 hw_relative_from_object;
+uniform vec3 hw_line_eye_object;
 uniform float hw_line_width_px[6];  // device pixels, by class
 uniform vec3 hw_line_colour[6];     // linear
 uniform vec4 hw_line_fade;          // x mean length of the object's lines (metres), y none and z full spacing (px), w on
 uniform vec2 hw_line_taper;         // x strength, y from metres
+
+// Whether all faces beside the line look away and are not drawn. The middle of the line stands for it, so that both ends
+// agree; near ties are drawn.
+bool hw_line_is_culled()
+{
+    vec3 to_eye = hw_line_eye_object - 0.5 * (hw_in_position + hw_in_other.xyz);
+    float tie = -1e-4 * length(to_eye);
+    return dot(hw_in_normal, to_eye) < tie && dot(hw_in_tangent, to_eye) < tie;
+}
 
 // Width in pixels at a point of the line: the presence and the far policy thin lines before they fade, so that the round
 // ends of neighbours never show as dots.

@@ -16,4 +16,5 @@ void main()
     hw_v_share = widest > 0.0 ? hw_line_width_at(line_class, relative) / widest : 0.0;
     hw_v_line_colour = vec4(hw_line_colour[line_class], widest);
     gl_PointSize = widest + 1.0;
+    if (hw_line_is_culled()) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

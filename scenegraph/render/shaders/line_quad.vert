@@ -38,7 +38,7 @@ void main()
     }
     float width = hw_line_width_at(line_class, relative);
     float widest = hw_line_width_px[line_class];
-    if (!is_seen || widest <= 0.0) {
+    if (!is_seen || widest <= 0.0 || hw_line_is_culled()) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }
