@@ -10,7 +10,9 @@ if(HATCHWAY_WARNINGS_AS_ERRORS)
 endif()
 if(HATCHWAY_SANITIZE)
     target_compile_options(hatchway_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
-                           -fno-sanitize-recover=undefined)
+                           -fno-sanitize-recover=undefined
+                           # GCC 12 takes instrumented code of std::regex for uninitialised.
+                           -Wno-maybe-uninitialized)
     target_link_options(hatchway_flags INTERFACE -fsanitize=address,undefined)
 endif()
 target_compile_definitions(hatchway_flags INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
