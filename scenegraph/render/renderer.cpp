@@ -253,8 +253,12 @@ FrameParts Renderer::State::parts_of(const View& view, const FrameOptions& optio
     parts.line_frame = {&view, options.samples, options.line_path};
     parts.no_vertices = &no_vertices;
     parts.scene_features = scene->light_features;
-    parts.has_lines = std::any_of(scene->needs.begin(), scene->needs.end(),
-                                  [](const Needs& needs) { return needs.edges.has_value(); });
+    const auto draws_lines = [&](int style_index) {
+        return style_index != kNone && scene->needs[style_index].edges.has_value();
+    };
+    parts.has_lines =
+        std::any_of(scene->input.objects.begin(), scene->input.objects.end(),
+                    [&](const StyledObject& object) { return draws_lines(object.style) || draws_lines(object.over); });
     parts.lightmap = &scene->lightmap;
     parts.shadow_texture = scene->shadow.texture();
     return parts;
