@@ -214,7 +214,7 @@ std::vector<int> coarse_portals(const FlowGraph& graph)
 }
 
 /// One round over the coarse portals; returns its cost.
-std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits)
+std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits, const std::function<void(double)>& tell)
 {
     constexpr std::size_t kSmallestBatch = 32;
     const std::vector<int> order = coarse_portals(graph);
@@ -234,6 +234,7 @@ std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits)
             cost += outcomes[i].cost;
         }
         first += size;
+        if (tell) tell(static_cast<double>(first) / static_cast<double>(order.size()));
     }
     return cost;
 }
@@ -255,7 +256,7 @@ int flow_all(FlowGraph& graph, const PvsOptions& options)
         if (coarse == 0) return 0;
         const double share = 4.0 * std::max(0.0, left) / static_cast<double>(coarse);
         const std::uint64_t steps = has_limit ? std::max(kLeastSteps, static_cast<std::uint64_t>(share)) : 0;
-        left -= static_cast<double>(flow_round(graph, {depth, steps}));
+        left -= static_cast<double>(flow_round(graph, {depth, steps}, options.progress));
         if (has_limit && left < 0.0) break;
     }
     return static_cast<int>(coarse_portals(graph).size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -80,6 +81,7 @@ struct PvsOptions {
     int threads = 0;       ///< 0: as many as the machine has.
     double slack = 1e-9;   ///< Length by which every clip keeps more than it should.
     double least = 1e-5;   ///< A sight line this narrow at its far portal is tangential and counts as none.
+    std::function<void(double share)> progress;  ///< Told how much is done, 0 to 1; may be empty.
 };
 
 struct PvsResult {

@@ -11,16 +11,6 @@
 namespace hw {
 namespace {
 
-void make_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, Visibility& visibility)
-{
-    visibility.first_slot_of_object.push_back(0);
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const MeshChunks& chunks = chunks_of_mesh[static_cast<std::size_t>(scene.objects[id].mesh)];
-        for (std::uint32_t chunk = 0; chunk < chunks.size(); ++chunk) visibility.slots.push_back({id, chunk});
-        visibility.first_slot_of_object.push_back(static_cast<std::uint32_t>(visibility.slots.size()));
-    }
-}
-
 /// For each cluster, whether sight enters or leaves it: pockets that overlapping objects shut in are no places.
 std::vector<std::uint8_t> open_clusters(const PortalGraph& graph)
 {
@@ -86,26 +76,44 @@ std::vector<std::uint64_t> union_of_rows(const Visibility& visibility, const Lea
 
 }  // namespace
 
+void number_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, Visibility& visibility)
+{
+    visibility.first_slot_of_object.push_back(0);
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        const MeshChunks& chunks = chunks_of_mesh[static_cast<std::size_t>(scene.objects[id].mesh)];
+        for (std::uint32_t chunk = 0; chunk < chunks.size(); ++chunk) visibility.slots.push_back({id, chunk});
+        visibility.first_slot_of_object.push_back(static_cast<std::uint32_t>(visibility.slots.size()));
+    }
+}
+
 Visibility build_visibility(const Scene& scene, const Level& level, std::span<const MeshChunks> chunks_of_mesh,
                             const VisibilityOptions& options)
 {
     const auto start = std::chrono::steady_clock::now();
+    const auto tell = [&](double share) { return options.progress ? options.progress(share) : void(); };
     Visibility visibility;
-    make_slots(scene, chunks_of_mesh, visibility);
+    number_slots(scene, chunks_of_mesh, visibility);
     BspBuild build = build_tree(scene, level, options, visibility.stats);
+    tell(0.1);
     const std::vector<LeafContact> contacts = leaf_contacts(build);
+    tell(0.2);
     merge_clusters(build.tree, contacts, {.most = options.max_clusters});
-    const PortalGraph graph = cluster_portals(build, contacts);
+    visibility.portals = cluster_portals(build, contacts);
+    const PortalGraph& graph = visibility.portals;
     visibility.tree = std::move(build.tree);
+    tell(0.3);
     PvsOptions pvs_options;
     pvs_options.effort = options.effort;
     pvs_options.seconds = options.flow_seconds;
     pvs_options.threads = options.threads;
+    if (options.progress) pvs_options.progress = [&](double share) { tell(0.3 + 0.6 * share); };
     PvsResult pvs = build_pvs(graph, pvs_options);
     visibility.rows = std::move(pvs.rows);
-    const std::vector<Box> boxes = cluster_boxes(visibility.tree, contacts);
-    visibility.slot_rows =
-        slots_seen({scene, chunks_of_mesh, visibility.slots, visibility.tree, boxes}, visibility.rows);
+    tell(0.9);
+    visibility.cluster_boxes = cluster_boxes(visibility.tree, contacts);
+    visibility.slot_rows = slots_seen(
+        {scene, chunks_of_mesh, visibility.slots, visibility.tree, visibility.cluster_boxes}, visibility.rows);
+    tell(1.0);
 
     VisibilityStats& stats = visibility.stats;
     const std::vector<std::uint8_t>& is_solid = visibility.tree.is_solid;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -23,6 +24,7 @@ struct VisibilityOptions {
     int max_clusters = 1000;            ///< Past this small ones that are open to each other are merged.
     double flow_seconds = 10.0;  ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
     int threads = 0;             ///< 0: as many as the machine has.
+    std::function<void(double share)> progress;  ///< Told from any thread how much is done, 0 to 1; may be empty.
 };
 
 struct VisibilityStats {
@@ -44,8 +46,14 @@ struct Visibility {
     LeafRows slot_rows;                               ///< Clusters by slots: what is drawn.
     std::vector<ChunkSlot> slots;                     ///< Objects in order, then their chunks.
     std::vector<std::uint32_t> first_slot_of_object;  ///< One more than there are objects.
+    PortalGraph portals;                              ///< Between clusters, metres from the grid's origin; to be shown.
+    std::vector<Box> cluster_boxes;                   ///< World space; to be shown.
     VisibilityStats stats;
 };
+
+/// Visibility::slots and first_slot_of_object alone: they follow from the scene. `chunks_of_mesh`: one entry for each
+/// mesh.
+void number_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, Visibility& visibility);
 
 /// Compiles the visibility of a scene.
 ///
