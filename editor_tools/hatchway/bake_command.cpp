@@ -36,8 +36,8 @@ void bake(const BakeArguments& arguments)
     const std::filesystem::path out = arguments.out.empty() ? lightmap_path(arguments.file) : arguments.out;
     require_outputs({{"--out", out}}, {arguments.file});
     const Level level = read_level_with(arguments.file, {});
-    require_distinct({{"--out", out}}, {level.scene_file});
     const auto world = open_world(level, nullptr);
+    require_unread({{"--out", out}});
     std::uint32_t luxels = 0;
     double seconds = 0.0;
     const Lightmap lightmap = bake_lightmap(world->scene, light_sources_of(level, world->scene), options_of(arguments),

@@ -25,7 +25,7 @@ void check(const CheckArguments& arguments)
     require_outputs(outputs, {arguments.level.file});
     const auto context = make_headless_context();
     const Stage stage(*context, stage_options(arguments.level));
-    require_distinct(outputs, {stage.level().scene_file});
+    require_unread(outputs);
     const std::vector<std::string> found = level_doubts(stage.level(), stage.scene());
     for (const std::string& doubt : found) log_warning(doubt);
 

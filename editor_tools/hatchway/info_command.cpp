@@ -16,6 +16,7 @@ namespace {
 struct InfoArguments {
     std::filesystem::path file;
     std::filesystem::path json;
+    bool has_nodes = false;
 };
 
 /// Sums over meshes, each counted once however often it is used.
@@ -96,16 +97,30 @@ void print_info(const LevelWorld& world, const MeshTotals& totals)
         100.0 * visibility.average_visible_share, visibility.seconds);
 }
 
+/// What the rules of a level name: every node with objects, by its path, with the materials of its objects.
+void print_nodes(const Scene& scene)
+{
+    std::vector<std::vector<std::string>> materials(scene.nodes.size());
+    for (const Object& object : scene.objects) {
+        const std::string& name = scene.materials[object.material].name;
+        materials[object.node].push_back(name.empty() ? "(unnamed)" : name);
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        if (!materials[i].empty())
+            std::cout << fmt::format("node        #{:<5} {:<40} {}\n", i, scene.nodes[i].path, fmt::join(materials[i], ", "));
+}
+
 void info(const InfoArguments& arguments)
 {
     const std::vector<OutputFile> outputs{{"--json", arguments.json}};
     require_outputs(outputs, {arguments.file});
     const VisibilityOptions visibility;
     const Level level = read_level_with(arguments.file, {});
-    require_distinct(outputs, {level.scene_file});
     const auto world = open_world(level, &visibility);
+    require_unread(outputs);
     const MeshTotals totals = totals_of(scene_surfaces(world->scene));
     print_info(*world, totals);
+    if (arguments.has_nodes) print_nodes(world->scene);
     if (!arguments.json.empty()) write_json(arguments.json, info_json(*world, totals));
 }
 
@@ -116,6 +131,7 @@ void add_info_command(CLI::App& app)
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App* command = app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
     command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
+    command->add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { info(*arguments); });
 }

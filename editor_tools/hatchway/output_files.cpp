@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/files.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -81,6 +82,11 @@ void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<f
 {
     for (const OutputFile& output : outputs) require_writable(output.file, output.option);
     require_distinct(outputs, inputs);
+}
+
+void require_unread(const std::vector<OutputFile>& outputs)
+{
+    require_distinct(outputs, files_read());
 }
 
 bool is_in_folder(const fs::path& file, const fs::path& folder)

@@ -28,6 +28,10 @@ void require_distinct(const std::vector<OutputFile>& outputs, const std::vector<
 /// Both rules, for all files that a command writes; called before anything is read or written.
 void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<std::filesystem::path>& inputs);
 
+/// Throws hw::Error when an output is a file that this process has read: a level, its model, their textures and maps.
+/// Called once all is read, before anything is written.
+void require_unread(const std::vector<OutputFile>& outputs);
+
 /// Whether `file` lies in `folder` itself. Neither need exist.
 bool is_in_folder(const std::filesystem::path& file, const std::filesystem::path& folder);
 

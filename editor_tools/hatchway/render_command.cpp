@@ -36,10 +36,16 @@ const std::map<std::string, LinePath> kLinePaths{
 
 bool is_path(const RenderArguments& arguments) { return !arguments.shots.path.empty(); }
 
-std::vector<OutputFile> output_files(const RenderArguments& arguments)
+fs::path picture_file(const RenderArguments& arguments, std::size_t index)
+{
+    return is_path(arguments) ? arguments.out / fmt::format("frame_{:04}.png", index) : arguments.out;
+}
+
+/// All that is written: the JSON file and `pictures` pictures, or one.
+std::vector<OutputFile> output_files(const RenderArguments& arguments, std::size_t pictures)
 {
     std::vector<OutputFile> outputs{{"--json", arguments.json}};
-    if (!is_path(arguments)) outputs.push_back({"--out", arguments.out});
+    for (std::size_t i = 0; i < pictures; ++i) outputs.push_back({"--out", picture_file(arguments, i)});
     return outputs;
 }
 
@@ -47,7 +53,7 @@ void check_arguments(const RenderArguments& arguments)
 {
     parse_size(arguments.size);
     check_shot_arguments(arguments.shots);
-    require_outputs(output_files(arguments), {arguments.level.file});
+    require_outputs(output_files(arguments, is_path(arguments) ? 0 : 1), {arguments.level.file});
     if (is_path(arguments))
         require_writable_folder(arguments.out, "--out");
     else if (arguments.out.extension() != ".png")
@@ -80,10 +86,10 @@ void render(const RenderArguments& arguments)
     const auto context = make_headless_context();
     require_fits(size, context->device());
     Stage stage(*context, stage_options(arguments.level));
-    require_distinct(output_files(arguments), {stage.level().scene_file});
     warn_of_idle_styles(stage.level(), stage.scene(), arguments.level.styles.size());
     const std::vector<Shot> shots =
         shots_of(arguments.shots, stage.level(), stage.scene(), static_cast<double>(size.x) / size.y);
+    require_unread(output_files(arguments, shots.size()));
     if (is_path(arguments)) make_folder(arguments.out);
 
     const FrameOptions options = frame_options(arguments);
@@ -93,10 +99,10 @@ void render(const RenderArguments& arguments)
         View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
         view.time_s = shots[i].time_s;
         const FrameStats stats = stage.draw(view, options);
-        const fs::path file = is_path(arguments) ? arguments.out / fmt::format("frame_{:04}.png", i) : arguments.out;
+        const fs::path file = picture_file(arguments, i);
         write_png(file, stage.renderer().read_picture());
         frames.push(stats_json(stats).set("file", file.string()).set("time_s", shots[i].time_s));
-        if (arguments.has_stats) std::cout << file.string() << '\n' << stats_text(stats);
+        std::cout << file.string() << '\n' << (arguments.has_stats ? stats_text(stats) : "");
         progress.advance();
     }
     for (const std::string& message : stage.messages()) log_warning(message);

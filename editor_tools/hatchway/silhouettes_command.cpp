@@ -113,8 +113,8 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     require_outputs(outputs, {arguments.file});
 
     const Level level = read_level(arguments.file);
-    require_distinct(outputs, {level.scene_file});
     const Scene scene = import_gltf(level.scene_file, level.project_root);
+    require_unread(outputs);
     const std::vector<Surface> surfaces = scene_surfaces(scene);
     const auto crease_rad = static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0);
     SilhouetteResult result;

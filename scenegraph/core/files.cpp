@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 
 #include "core/error.hpp"
 
@@ -48,12 +50,31 @@ std::uint64_t size_of_regular_file(int descriptor, const fs::path& path, std::ui
     return size;
 }
 
+struct ReadFiles {
+    std::mutex mutex;
+    std::set<fs::path> paths;
+};
+
+ReadFiles& read_files()
+{
+    static ReadFiles files;
+    return files;
+}
+
+void note_as_read(const fs::path& path)
+{
+    ReadFiles& files = read_files();
+    const std::lock_guard lock(files.mutex);
+    files.paths.insert(path);
+}
+
 template <typename Bytes>
 Bytes read_into(const fs::path& path, std::uint64_t max_bytes)
 {
     // O_NONBLOCK: opening a FIFO must not wait for its writer.
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.value() < 0) throw_system_error(path, "cannot open");
+    note_as_read(path);
     Bytes bytes;
     bytes.resize(size_of_regular_file(file.value(), path, max_bytes));
     std::size_t done = 0;
@@ -130,6 +151,13 @@ std::vector<std::byte> read_file(const fs::path& path, std::uint64_t max_bytes)
 std::string read_text_file(const fs::path& path, std::uint64_t max_bytes)
 {
     return read_into<std::string>(path, max_bytes);
+}
+
+std::vector<fs::path> files_read()
+{
+    ReadFiles& files = read_files();
+    const std::lock_guard lock(files.mutex);
+    return {files.paths.begin(), files.paths.end()};
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes)

@@ -15,6 +15,9 @@ namespace hw {
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
+/// Every file that the two have read in this process, each once: what no output of it may replace.
+std::vector<std::filesystem::path> files_read();
+
 /// Writes beside the target under a temporary name, then renames: readers see the old bytes or the new, never a part.
 /// A link stays, what it points to is written; a file that is replaced keeps its mode. Throws hw::Error when the folder
 /// is missing or not writable, or the target is write-protected or no regular file; the target is then as it was.

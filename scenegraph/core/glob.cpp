@@ -1,5 +1,6 @@
 #include "core/glob.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,13 @@ bool glob_matches(std::string_view pattern, std::string_view text)
         reached.swap(next);
     }
     return reached[tokens.size()] != 0;
+}
+
+std::string glob_fault(std::string_view pattern)
+{
+    const std::vector<Token> tokens = tokens_of(pattern);
+    const bool is_open = std::ranges::any_of(tokens, [](const Token& token) { return token.character == '['; });
+    return is_open ? "a class [ that is never closed" : "";
 }
 
 }  // namespace hw

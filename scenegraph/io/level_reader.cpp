@@ -235,6 +235,13 @@ void LevelReader::finish(const LevelReader& reader, StyleDesc& style)
                       "a plugin's name of a-z, 0-9 and _");
 }
 
+void LevelReader::finish(const LevelReader& reader, AssignRule& rule)
+{
+    rule.pointer = reader.pointer();
+    if (rule.presence && !rule.over)
+        reader.refuse(rule.pointer + "/presence", "there is nothing that it could show", "\"over\" in the same entry");
+}
+
 void LevelReader::finish(const LevelReader& reader, StartPlace& place)
 {
     reader.require_look(place.position, place.look_at, reader.pointer());

@@ -127,7 +127,7 @@ class LevelReader {
     {
     }
     static void finish(const LevelReader& reader, StyleDesc& style);
-    static void finish(const LevelReader& reader, AssignRule& rule) { rule.pointer = reader.pointer(); }
+    static void finish(const LevelReader& reader, AssignRule& rule);
     static void finish(const LevelReader& reader, StartPlace& place);
     static void finish(const LevelReader& reader, Camera& camera);
     static void finish(const LevelReader& reader, CameraPath& path);

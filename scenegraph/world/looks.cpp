@@ -8,6 +8,16 @@
 namespace hw {
 namespace {
 
+void require_sound_glob(const std::string& glob, const char* key, const AssignRule& rule, const Level& level)
+{
+    const std::string fault = glob_fault(glob);
+    if (fault.empty()) return;
+    throw Error({.what = '"' + glob + "\" has " + fault,
+                 .file = level.file.string(),
+                 .pointer = place_in(rule, key),
+                 .expected = "a glob of *, **, ? and classes such as [0-9]"});
+}
+
 /// "#12" as a node index; kNone when the glob is none.
 int node_index_of(const AssignRule& rule, const Level& level, std::size_t node_count)
 {
@@ -88,6 +98,8 @@ std::vector<ObjectLook> resolve_looks(const Level& level, const Scene& scene, co
     std::vector<ObjectLook> looks(scene.objects.size());
     apply_extras(level, scene, looks);
     for (const AssignRule& rule : level.assign) {
+        require_sound_glob(rule.nodes, "nodes", rule, level);
+        require_sound_glob(rule.materials, "materials", rule, level);
         const std::vector<char> reached = reached_nodes(rule, level, scene);
         for (std::size_t i = 0; i < looks.size(); ++i) {
             const Object& object = scene.objects[i];

@@ -17,6 +17,11 @@ TEST(glob, a_class_takes_one_character)
     EXPECT_FALSE(glob_matches("Column_0[1-3]", "Column_04"));
     EXPECT_TRUE(glob_matches("Column_0[!1-3]", "Column_04"));
 }
+TEST(glob, a_class_that_is_never_closed_is_a_fault)
+{
+    for (const char* pattern : {"[", "Column_[0-", "A[0-9]/[!x"}) EXPECT_NE(hw::glob_fault(pattern), "") << pattern;
+    for (const char* pattern : {"", "*", "Column_0[1-3]", "A]", "[!ab]?"}) EXPECT_EQ(hw::glob_fault(pattern), "") << pattern;
+}
 TEST(glob, hostile_patterns_end_soon)
 {
     std::string pattern;

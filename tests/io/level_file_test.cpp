@@ -169,6 +169,7 @@ TEST(level_file, every_wrong_value_is_named_by_its_pointer)
         {R"("assign": [{"maps": {"inc": "a"}}])", "/assign/0/maps/inc"},
         {R"("assign": [{"presence": {"height": {"from_m": 1}}}])", "/assign/0/presence/height"},
         {R"("assign": [{"presence": {"constant": -1}}])", "/assign/0/presence/constant"},
+        {R"("assign": [{"presence": {"constant": 1}}])", "/assign/0/presence"},
         {R"("certainty_styles": [{"from": 0.5}])", "/certainty_styles/0"},
         {R"("cameras": {"a": {"position": [0, 0, 0], "look_at": [1, 0, 0], "fov_deg": 0}})", "/cameras/a/fov_deg"},
         {R"("paths": {"a": {"keys": []}})", "/paths/a/keys"},

@@ -119,6 +119,14 @@ TEST_F(bad_input, a_path_outside_of_the_project)
     }
 }
 
+TEST_F(bad_input, a_glob_with_a_class_that_is_never_closed)
+{
+    expect_refused(render(level(R"("assign": [{"nodes": "Column_[0-", "style": "photoreal"}])")),
+                   {"bad.level.json", "/assign/0/nodes", "Column_[0-", "never closed"});
+    expect_refused(render(level(R"("assign": [{"materials": "[a", "style": "photoreal"}])")), {"/assign/0/materials"});
+    expect_refused(render(folder_ / "prism.glb", {"--style", "[a=photoreal"}), {"--style", "[a", "never closed"});
+}
+
 TEST_F(bad_input, a_map_that_is_not_there)
 {
     expect_refused(render(level(R"("assign": [{"nodes": "*", "maps": {"ink": "maps/none"}}])")), {"bad.level.json", "maps/none"});
@@ -208,6 +216,18 @@ TEST_F(bad_input, an_output_that_is_an_input)
     for (const std::vector<std::string>& command : commands)
         expect_refused(run_program(command), {command[command.size() - 2] + ": is a file that is read"});
     EXPECT_EQ(hw::test::bytes_of(file) + hw::test::bytes_of(model) + hw::test::bytes_of(portals), before);
+}
+
+TEST_F(bad_input, an_output_that_is_a_map_of_the_level)
+{
+    fs::create_directory(folder_ / "courses");
+    ASSERT_EQ(run_program({"map", "hatch", "--out", folder_ / "courses"}).exit_code, 0);
+    const std::string file = level(R"("assign": [{"nodes": "*", "style": "pen_and_ink", "maps": {"hatch": "./courses"}}])");
+    const std::string map = folder_ / "courses/level_0.png";
+    const std::string before = hw::test::bytes_of(map);
+    expect_refused(run_program({"render", file, "--size", "64x48", "--out", map}), {"--out: is a file that is read"});
+    expect_refused(render(file, {"--json", map}), {"--json: is a file that is read"});
+    EXPECT_EQ(hw::test::bytes_of(map), before);
 }
 
 TEST_F(bad_input, two_outputs_that_are_the_same_file)
