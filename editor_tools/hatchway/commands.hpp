@@ -11,8 +11,10 @@ namespace hw {
 
 void add_walk_command(CLI::App& app);
 void add_render_command(CLI::App& app);
+void add_lines_command(CLI::App& app);
 void add_bake_command(CLI::App& app);
 void add_check_command(CLI::App& app);
+void add_compile_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_silhouettes_command(CLI::App& app);
 void add_measure_command(CLI::App& app);

@@ -27,8 +27,10 @@ void add_commands(CLI::App& app)
 {
     hw::add_walk_command(app);
     hw::add_render_command(app);
+    hw::add_lines_command(app);
     hw::add_bake_command(app);
     hw::add_check_command(app);
+    hw::add_compile_command(app);
     hw::add_info_command(app);
     hw::add_silhouettes_command(app);
     hw::add_measure_command(app);

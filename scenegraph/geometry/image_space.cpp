@@ -7,9 +7,11 @@
 namespace hw {
 namespace {
 
-void append_if_seen(const std::array<ImagePoint, 3>& corners, std::uint32_t face, std::vector<ImageTriangle>& triangles)
+void append_if_seen(const std::array<ImagePoint, 3>& corners, const ImageTriangle& whole,
+                    std::vector<ImageTriangle>& triangles)
 {
-    if (side_of(corners[0], corners[1], corners[2].x, corners[2].y) != 0.0) triangles.push_back({corners, face});
+    if (side_of(corners[0], corners[1], corners[2].x, corners[2].y) == 0.0) return;
+    triangles.push_back({corners, whole.face, whole.object});
 }
 
 }  // namespace
@@ -20,8 +22,9 @@ ImageSpace::ImageSpace(const LineCamera& camera)
       near_m_(camera.near_m)
 {
     const glm::dvec3 forward = glm::normalize(camera.target_world - camera.eye_world);
-    const bool is_vertical = std::abs(forward.y) > 1.0 - 1e-12;
-    const glm::dvec3 up_world = is_vertical ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const bool is_vertical = std::abs(forward.y) > 0.999999;
+    const glm::dvec3 up_world =
+        is_vertical ? glm::dvec3(0.0, 0.0, forward.y > 0.0 ? 1.0 : -1.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up_world));
     const glm::dvec3 up = glm::cross(right, forward);
     for (int axis = 0; axis < 3; ++axis) {
@@ -42,8 +45,8 @@ std::optional<ImageSpace::Clipped> ImageSpace::clipped(const glm::dvec3& from, c
     return result;
 }
 
-void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& corners_view, std::uint32_t face,
-                      std::vector<ImageTriangle>& triangles)
+void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& corners_view,
+                      const ImageTriangle& whole, std::vector<ImageTriangle>& triangles)
 {
     std::array<ImagePoint, 4> polygon;
     int count = 0;
@@ -56,8 +59,8 @@ void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& 
         polygon[count++] = space.project(part->is_from_clipped ? part->from : part->to);
     }
     if (count < 3) return;
-    append_if_seen({polygon[0], polygon[1], polygon[2]}, face, triangles);
-    if (count == 4) append_if_seen({polygon[0], polygon[2], polygon[3]}, face, triangles);
+    append_if_seen({polygon[0], polygon[1], polygon[2]}, whole, triangles);
+    if (count == 4) append_if_seen({polygon[0], polygon[2], polygon[3]}, whole, triangles);
 }
 
 }  // namespace hw

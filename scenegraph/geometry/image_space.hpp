@@ -30,6 +30,7 @@ class ImageSpace {
     }
     double near_m() const { return near_m_; }
     glm::dvec2 size_px() const { return 2.0 * centre_; }
+    double focal_px() const { return focal_px_; }
 
     /// The part of a view-space segment before the near plane, or nothing.
     struct Clipped {
@@ -50,7 +51,8 @@ class ImageSpace {
 /// A face in image space that can hide lines.
 struct ImageTriangle {
     std::array<ImagePoint, 3> corners;
-    std::uint32_t face = 0;  ///< Its number among all faces of all objects.
+    std::uint32_t face = 0;    ///< Its number among all faces of all objects.
+    std::uint32_t object = 0;  ///< Index into the objects given.
 };
 
 /// Twice the signed area of the picture of a, b, p. Exactly opposite for b, a: neighbours leave no gap between them.
@@ -64,7 +66,8 @@ inline double side_of(const ImagePoint& a, const ImagePoint& b, double x, double
 }
 
 /// Appends the picture of a triangle, cut by the near plane into up to two; nothing when it is behind or edge-on.
-void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& corners_view, std::uint32_t face,
-                      std::vector<ImageTriangle>& triangles);
+/// `whole` tells its face and object.
+void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& corners_view,
+                      const ImageTriangle& whole, std::vector<ImageTriangle>& triangles);
 
 }  // namespace hw

@@ -21,6 +21,11 @@ glm::dvec2 point_of(std::span<const LinePiece> pieces, std::uint32_t end)
     return end & 1 ? pieces[end / 2].to : pieces[end / 2].from;
 }
 
+double depth_of(std::span<const LinePiece> pieces, std::uint32_t end)
+{
+    return end & 1 ? pieces[end / 2].to_depth : pieces[end / 2].from_depth;
+}
+
 /// Unit direction in which a piece leaves its end.
 glm::dvec2 leaving(std::span<const LinePiece> pieces, std::uint32_t end)
 {
@@ -86,12 +91,16 @@ std::vector<LineChain> join_pieces(std::span<const LinePiece> pieces)
         const bool is_closed = partner[start] != kNoEnd;
         if (is_closed) start = 2 * piece;
 
-        LineChain chain{{point_of(pieces, start)}, is_closed};
+        LineChain chain{{point_of(pieces, start)}, {depth_of(pieces, start)}, is_closed};
         for (std::uint32_t end = start; end != kNoEnd && !is_used[end / 2]; end = partner[end ^ 1]) {
             is_used[end / 2] = true;
             chain.points.push_back(point_of(pieces, end ^ 1));
+            chain.depths.push_back(depth_of(pieces, end ^ 1));
         }
-        if (is_closed) chain.points.pop_back();
+        if (is_closed) {
+            chain.points.pop_back();
+            chain.depths.pop_back();
+        }
         chains.push_back(std::move(chain));
     }
     return chains;

@@ -13,12 +13,15 @@ struct LinePiece {
     glm::dvec2 to{0.0};
     std::uint32_t from_vertex = 0;  ///< Pieces meet where these are equal; kFreeEnd meets nothing.
     std::uint32_t to_vertex = 0;
+    double from_depth = 0.0;  ///< Passed on to the chain's points.
+    double to_depth = 0.0;
 };
 
 inline constexpr std::uint32_t kFreeEnd = 0xffffffffu;
 
 struct LineChain {
     std::vector<glm::dvec2> points;
+    std::vector<double> depths;  ///< One for each point.
     bool is_closed = false;  ///< The first point is not repeated.
 };
 

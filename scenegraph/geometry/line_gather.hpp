@@ -25,8 +25,16 @@ struct ContourLine {
     ImagePoint to{0.0};
 };
 
+/// An object as exact predicates need it.
+struct DrawnObject {
+    const Surface* surface = nullptr;
+    Viewpoint eye_object;
+    std::uint32_t first_face = 0;  ///< The number of its face 0 among all.
+};
+
 /// All that a drawing is made from, in the order of the objects.
 struct LineDrawing {
+    std::vector<DrawnObject> objects;
     std::vector<ImageTriangle> triangles;
     std::vector<ContourLine> contours;
     std::vector<DrawnLine> lines;

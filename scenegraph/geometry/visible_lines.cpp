@@ -1,6 +1,7 @@
 // Appel's invisibility changes only where a line passes behind a contour; the number itself is not carried along, since
 // at vertices it is a matter of many cases: the middle of every piece is looked at anew. That is exact for the piece,
-// whatever happened before it.
+// whatever happened before it. Cuts are found in doubles with slack: a cut too many does no harm, since both sides are
+// looked at, and only what is behind is decided exactly (line_occluders.cpp).
 #include "geometry/visible_lines.hpp"
 
 #include <tbb/parallel_for.h>
@@ -8,19 +9,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <limits>
 #include <optional>
 
 #include "geometry/image_grid.hpp"
 #include "geometry/image_space.hpp"
 #include "geometry/line_chains.hpp"
 #include "geometry/line_gather.hpp"
+#include "geometry/line_occluders.hpp"
 
 namespace hw {
 namespace {
 
-constexpr double kDepthTolerance = 2e-7;  // relative: lines on a face and on its coplanar neighbour are not hidden
 constexpr double kShortestPx = 1e-4;      // two cuts closer than this are one
 constexpr double kContourSlack = 1e-6;    // a contour this little behind a line still cuts it
 constexpr double kEndSlack = 1e-7;        // a contour that ends this close to a line still cuts it
@@ -32,31 +31,6 @@ struct ImageLine {
     ImagePoint to;
     bool is_from_whole;  ///< `from` is the line's own end, not where it was clipped.
     bool is_to_whole;
-};
-
-/// What a line has to touch to be changed by something: its box in the picture and how near it comes. Rounded outward.
-struct Bounds {
-    float left, right, top, bottom, nearest;
-
-    static Bounds of(std::initializer_list<ImagePoint> points)
-    {
-        ImagePoint low = *points.begin(), high = low;
-        for (const ImagePoint& p : points) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-        return {below(low.x), above(high.x), below(low.y), above(high.y), above(high.z)};
-    }
-    /// Whether something with these bounds can be before a part of a line with those of `line`, farthest at `line_z`.
-    bool can_change(const Bounds& line, float line_z) const
-    {
-        return nearest >= line_z && left <= line.right && right >= line.left && top <= line.bottom &&
-               bottom >= line.top;
-    }
-    bool has(double x, double y) const { return left <= x && x <= right && top <= y && y <= bottom; }
-
-    static float below(double x) { return std::nextafterf(static_cast<float>(x), -std::numeric_limits<float>::max()); }
-    static float above(double x) { return std::nextafterf(static_cast<float>(x), std::numeric_limits<float>::max()); }
 };
 
 /// A part of a line that is visible, or hidden, as a whole.
@@ -93,10 +67,10 @@ class HiddenLines {
     HiddenLines(LineDrawing drawing, const ImageSpace& space)
         : drawing_(std::move(drawing)),
           space_(space),
-          triangle_grid_(space.size_px(), cell_px()),
-          contour_grid_(space.size_px(), 2.0 * cell_px())
+          occluders_(drawing_, space),
+          contour_grid_(space.size_px(), 2.0 * occluders_.cell_px())
     {
-        tbb::parallel_invoke([&] { fill_triangles(); }, [&] { fill_contours(); });
+        tbb::parallel_invoke([&] { occluders_.fill(); }, [&] { fill_contours(); });
     }
 
     std::vector<LinePart> run() const
@@ -117,27 +91,10 @@ class HiddenLines {
     const DrawnLine& line(std::uint32_t index) const { return drawing_.lines[index]; }
 
  private:
-    /// About one triangle a cell where triangles are small, never finer than the lists are worth.
-    double cell_px() const
-    {
-        const glm::dvec2 size = space_.size_px();
-        const double triangles = std::max<double>(1.0, static_cast<double>(drawing_.triangles.size()));
-        return std::clamp(std::sqrt(2.0 * size.x * size.y / triangles), 4.0, 32.0);
-    }
-    void fill_triangles()
-    {
-        triangle_bounds_.reserve(drawing_.triangles.size());
-        for (const ImageTriangle& t : drawing_.triangles) {
-            triangle_bounds_.push_back(Bounds::of({t.corners[0], t.corners[1], t.corners[2]}));
-        }
-        triangle_grid_.fill(static_cast<std::uint32_t>(drawing_.triangles.size()), [&](std::uint32_t i, auto&& visit) {
-            triangle_grid_.for_each_cell(drawing_.triangles[i], visit);
-        });
-    }
     void fill_contours()
     {
         contour_bounds_.reserve(drawing_.contours.size());
-        for (const ContourLine& c : drawing_.contours) contour_bounds_.push_back(Bounds::of({c.from, c.to}));
+        for (const ContourLine& c : drawing_.contours) contour_bounds_.push_back(ImageBounds::of({c.from, c.to}));
         contour_grid_.fill(static_cast<std::uint32_t>(drawing_.contours.size()), [&](std::uint32_t i, auto&& visit) {
             contour_grid_.for_each_cell(drawing_.contours[i].from, drawing_.contours[i].to, visit);
         });
@@ -155,14 +112,14 @@ class HiddenLines {
         const double length = glm::distance(glm::dvec2(seen->from), glm::dvec2(seen->to));
         if (length == 0.0) return;
         cuts.assign({0.0, 1.0});
-        if (is_behind_one_face(*seen, drawn)) {
+        if (occluders_.is_behind_one_face(seen->from, seen->to, drawn)) {
             add_part(index, *seen, parts, drawn);
             return;
         }
-        const Bounds bounds = Bounds::of({seen->from, seen->to});
-        const float farthest = Bounds::below(std::min(seen->from.z, seen->to.z) * (1.0 - kContourSlack));
+        const ImageBounds bounds = ImageBounds::of({seen->from, seen->to});
+        const float farthest = ImageBounds::below(std::min(seen->from.z, seen->to.z) * (1.0 - kContourSlack));
         cut_by_contours(*seen, bounds, farthest, cuts);
-        cut_by_faces(*seen, bounds, farthest, cuts);
+        occluders_.cut(seen->from, seen->to, bounds, farthest, cuts);
         std::sort(cuts.begin(), cuts.end());
         const double shortest = kShortestPx / length;
         std::size_t kept = 1;
@@ -181,13 +138,12 @@ class HiddenLines {
         const auto at = [&](double t) { return t == 1.0 ? seen.to : glm::mix(seen.from, seen.to, t); };
         const std::size_t first = parts.size();
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-            const bool is_visible = !is_hidden(at(0.5 * (cuts[i] + cuts[i + 1])), drawn);
+            const bool is_visible = !occluders_.is_hidden(at(0.5 * (cuts[i] + cuts[i + 1])), drawn);
             if (parts.size() > first && parts.back().is_visible == is_visible) {
-                parts.back().piece.to = glm::dvec2(at(cuts[i + 1]));
+                set_end(parts.back().piece, at(cuts[i + 1]));
                 continue;
             }
-            parts.push_back(
-                {index, is_visible, {glm::dvec2(at(cuts[i])), glm::dvec2(at(cuts[i + 1])), kFreeEnd, kFreeEnd}});
+            parts.push_back({index, is_visible, piece_between(at(cuts[i]), at(cuts[i + 1]))});
         }
         if (seen.is_from_whole) parts[first].piece.from_vertex = drawn.vertices[0];
         if (seen.is_to_whole) parts.back().piece.to_vertex = drawn.vertices[1];
@@ -197,13 +153,24 @@ class HiddenLines {
     static void add_part(std::uint32_t index, const ImageLine& seen, std::vector<LinePart>& parts,
                          const DrawnLine& drawn)
     {
-        parts.push_back({index,
-                         false,
-                         {glm::dvec2(seen.from), glm::dvec2(seen.to), seen.is_from_whole ? drawn.vertices[0] : kFreeEnd,
-                          seen.is_to_whole ? drawn.vertices[1] : kFreeEnd}});
+        LinePiece piece = piece_between(seen.from, seen.to);
+        if (seen.is_from_whole) piece.from_vertex = drawn.vertices[0];
+        if (seen.is_to_whole) piece.to_vertex = drawn.vertices[1];
+        parts.push_back({index, false, piece});
     }
 
-    void cut_by_contours(const ImageLine& line, const Bounds& bounds, float farthest, std::vector<double>& cuts) const
+    static LinePiece piece_between(const ImagePoint& from, const ImagePoint& to)
+    {
+        LinePiece piece{glm::dvec2(from), glm::dvec2(to), kFreeEnd, kFreeEnd, from.z, to.z};
+        return piece;
+    }
+    static void set_end(LinePiece& piece, const ImagePoint& to)
+    {
+        piece.to = glm::dvec2(to);
+        piece.to_depth = to.z;
+    }
+
+    void cut_by_contours(const ImageLine& line, const ImageBounds& bounds, float farthest, std::vector<double>& cuts) const
     {
         contour_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
             for (const std::uint32_t item : contour_grid_.items(cell)) {
@@ -223,81 +190,11 @@ class HiddenLines {
         });
     }
 
-    static bool is_inside(const ImageTriangle& triangle, double x, double y)
-    {
-        const auto& [a, b, c] = triangle.corners;
-        const double ab = side_of(a, b, x, y), bc = side_of(b, c, x, y), ca = side_of(c, a, x, y);
-        return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
-    }
-
-    /// How far before the triangle's plane a point is, in 1 / depth times twice the triangle's area.
-    static double before(const ImageTriangle& triangle, const ImagePoint& p)
-    {
-        const auto& [a, b, c] = triangle.corners;
-        return side_of(a, b, p.x, p.y) * (p.z - c.z) + side_of(b, c, p.x, p.y) * (p.z - a.z) +
-               side_of(c, a, p.x, p.y) * (p.z - b.z);
-    }
-
-    void cut_by_faces(const ImageLine& line, const Bounds& bounds, float farthest, std::vector<double>& cuts) const
-    {
-        triangle_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
-            for (const std::uint32_t item : triangle_grid_.items(cell)) {
-                if (!triangle_bounds_[item].can_change(bounds, farthest)) continue;
-                const ImageTriangle& triangle = drawing_.triangles[item];
-                const double a = before(triangle, line.from), b = before(triangle, line.to);
-                const double t = a / (a - b);
-                if (!(t > kEndSlack && t < 1.0 - kEndSlack)) continue;
-                const ImagePoint at = glm::mix(line.from, line.to, t);
-                if (is_inside(triangle, at.x, at.y)) cuts.push_back(t);
-            }
-        });
-    }
-
-    bool is_own(const DrawnLine& drawn, const ImageTriangle& triangle) const
-    {
-        return triangle.face == drawn.faces[0] || triangle.face == drawn.faces[1];
-    }
-
-    static bool hides(const ImageTriangle& triangle, const ImagePoint& p)
-    {
-        const auto& [a, b, c] = triangle.corners;
-        const double ab = side_of(a, b, p.x, p.y), bc = side_of(b, c, p.x, p.y), ca = side_of(c, a, p.x, p.y);
-        if (!((ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0))) return false;
-        return (ab * c.z + bc * a.z + ca * b.z) / (ab + bc + ca) > p.z * (1.0 + kDepthTolerance);
-    }
-
-    bool is_hidden(const ImagePoint& p, const DrawnLine& drawn) const
-    {
-        const double limit = p.z * (1.0 + kDepthTolerance);
-        for (const std::uint32_t item : triangle_grid_.items(triangle_grid_.cell_at(p.x, p.y))) {
-            if (triangle_bounds_[item].nearest <= limit || !triangle_bounds_[item].has(p.x, p.y)) continue;
-            const ImageTriangle& triangle = drawing_.triangles[item];
-            if (!is_own(drawn, triangle) && hides(triangle, p)) return true;
-        }
-        return false;
-    }
-
-    /// The common case of large faces: both ends are behind one face, and so is all between.
-    bool is_behind_one_face(const ImageLine& line, const DrawnLine& drawn) const
-    {
-        const double limit = std::min(line.from.z, line.to.z) * (1.0 + kDepthTolerance);
-        for (const std::uint32_t item : triangle_grid_.items(triangle_grid_.cell_at(line.from.x, line.from.y))) {
-            const Bounds& bounds = triangle_bounds_[item];
-            if (bounds.nearest <= limit || !bounds.has(line.from.x, line.from.y) || !bounds.has(line.to.x, line.to.y)) {
-                continue;
-            }
-            const ImageTriangle& triangle = drawing_.triangles[item];
-            if (!is_own(drawn, triangle) && hides(triangle, line.from) && hides(triangle, line.to)) return true;
-        }
-        return false;
-    }
-
     LineDrawing drawing_;
     const ImageSpace& space_;
-    ImageGrid triangle_grid_;
+    LineOccluders occluders_;
     ImageGrid contour_grid_;
-    std::vector<Bounds> triangle_bounds_;
-    std::vector<Bounds> contour_bounds_;
+    std::vector<ImageBounds> contour_bounds_;
 };
 
 /// Joins the parts of each object, class and visibility.
@@ -322,7 +219,8 @@ std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenL
                              .line_class = first.line_class,
                              .is_visible = parts[begin].is_visible,
                              .is_closed = chain.is_closed,
-                             .points_px = std::move(chain.points)});
+                             .points_px = std::move(chain.points),
+                             .inverse_depths = std::move(chain.depths)});
         }
         begin = end;
     }

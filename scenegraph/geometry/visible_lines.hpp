@@ -13,7 +13,8 @@
 
 namespace hw {
 
-/// The camera of a line drawing, world space. Up is +y; a camera that looks straight up or down has +z at the top.
+/// The camera of a line drawing, world space. Up is +y; a camera that looks straight up has +z at the top, one that looks
+/// straight down -z.
 struct LineCamera {
     glm::dvec3 eye_world{0.0};
     glm::dvec3 target_world{0.0, 0.0, -1.0};  ///< Not the eye.
@@ -29,13 +30,19 @@ struct LineObject {
     float crease_rad = 0.7f;
     const Seams* seams = nullptr;  ///< Lines that are left out, or null.
     bool is_drawn = true;          ///< False: it only hides others.
+    bool hides = true;             ///< False: it is seen through.
+    bool is_culled = false;        ///< Faces that look away are not there: they hide nothing and carry no lines.
 };
 
-enum class VisibleLineClass : std::uint8_t { silhouette, ridge, valley, border, artist };
+/// In the order of hw::LineClass of the styles.
+enum class VisibleLineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
 
+/// Silhouettes and borders are always among the lines.
 struct VisibleLineOptions {
-    bool with_hidden = false;  ///< The hidden parts too, as lines of their own.
-    bool with_creases = true;  ///< Ridges, valleys and artist's edges; without: silhouettes and borders.
+    bool with_hidden = false;         ///< The hidden parts too, as lines of their own.
+    bool with_creases = true;         ///< Ridges and valleys.
+    bool with_artist = true;          ///< The artist's edges.
+    bool with_intersections = false;  ///< Where objects that are drawn go through each other.
 };
 
 /// A polyline of the drawing. All of it belongs to one object and class and is visible, or all of it is hidden.
@@ -44,13 +51,15 @@ struct VisibleLine {
     VisibleLineClass line_class = VisibleLineClass::silhouette;
     bool is_visible = true;
     bool is_closed = false;             ///< The last point is joined to the first, which is not repeated.
-    std::vector<glm::dvec2> points_px;  ///< Two at least. Origin top left, y down, clipped to the picture.
+    std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
+    std::vector<double> inverse_depths;  ///< Of each point: 1 / distance from the plane of the eye, 1 / m.
 };
 
 /// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:
 /// where it crosses a silhouette or a border in the picture, and where it goes through a face. Of each piece the middle
-/// is tested against all faces before it. A face hides what lies behind it by over 2e-7 of the distance, so that lines
-/// on a face and on a neighbour's coplanar face stay visible. Pieces are joined to polylines at common vertices.
+/// is tested against all faces before it: exactly within an object, between objects with a tolerance of 2e-7 of the
+/// distance, so that lines on a face and on a neighbour's coplanar face stay visible (line_occluders.hpp). Pieces are
+/// joined to polylines at common vertices.
 ///
 /// The result is sorted by object and class and does not depend on the number of threads.
 /// Source: Appel. The Notion of Quantitative Invisibility and the Machine Rendering of Solids. ACM 1967, for where

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/visible_lines.hpp"
+#include "hatchway/line_looks.hpp"
+#include "io/vector_drawing.hpp"
+
+namespace hw {
+
+/// The objects of a scene made ready for find_visible_lines(): surfaces, seams, and how each is drawn. Built once, good for
+/// every camera.
+class LevelLines {
+ public:
+    /// `inks`: one for each object; none: all objects are drawn with one pen, of paper whose two sides both hide.
+    /// `crease_rad` goes before what the styles say. `scene` must outlive this.
+    LevelLines(const Scene& scene, std::vector<ObjectInk> inks, std::optional<float> crease_rad);
+    LevelLines(const LevelLines&) = delete;
+    LevelLines& operator=(const LevelLines&) = delete;
+
+    const std::vector<LineObject>& objects() const { return objects_; }
+    const std::string& name(std::uint32_t object) const;
+
+    /// The lines with the widths and colours of the objects' styles: those thinned away by distance or presence are left
+    /// out.
+    VectorDrawing drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera) const;
+
+ private:
+    void take_inks(const std::vector<ObjectInk>& inks, std::optional<float> crease_rad);
+    void find_object_seams(const std::vector<ObjectInk>& inks);
+    double width_at(const VisibleLine& line, const ObjectLineLook& pen, const LineCamera& camera) const;
+    void append_groups(VectorObject& object, const std::vector<VisibleLine>& lines, std::size_t begin, std::size_t end,
+                       const LineCamera& camera) const;
+
+    const Scene& scene_;
+    std::vector<Surface> surfaces_;
+    std::vector<LineObject> objects_;
+    std::vector<std::vector<ObjectLineLook>> pens_;
+    std::vector<Seams> seams_;          ///< Of the objects whose styles draw edges.
+    std::vector<float> mean_length_m_;  ///< Of an object's lines, world space: what the far policy goes by.
+};
+
+const char* line_type_name(VisibleLineClass line_class);
+
+}  // namespace hw

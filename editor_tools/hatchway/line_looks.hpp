@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "plugin_host/plugin_registry.hpp"
+#include "style/line_look.hpp"
+#include "style/view.hpp"
+#include "world/level.hpp"
+
+namespace hw {
+
+/// How one of an object's styles draws its lines.
+struct ObjectLineLook {
+    LineLook look;
+    double presence = 1.0;  ///< The share that the style has in the object, at the middle of its height.
+};
+
+/// What the styles of an object make of its edges.
+struct ObjectInk {
+    bool is_used = false;            ///< A style of the object draws edges.
+    float crease_rad = 0.0f;         ///< The smallest that its styles ask for.
+    std::uint32_t style_group = 0;   ///< Objects of one group hide each other's seams.
+    std::vector<ObjectLineLook> looks;
+};
+
+/// Asks the styles of a level how they draw the lines of each object. They are prepared as for drawing, but no device is
+/// needed: shaders are not compiled. Throws hw::Error for a wrong style.
+std::vector<ObjectInk> object_inks(const Level& level, const Scene& scene, const PluginRegistry& registry,
+                                   const View& view);
+
+}  // namespace hw

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <vector>
+
+#include "geometry/image_grid.hpp"
+#include "geometry/image_space.hpp"
+#include "geometry/line_gather.hpp"
+
+namespace hw {
+
+/// What a line has to touch to be changed by something: its box in the picture and how near it comes. Rounded outward.
+struct ImageBounds {
+    float left, right, top, bottom, nearest;
+
+    static ImageBounds of(std::initializer_list<ImagePoint> points)
+    {
+        ImagePoint low = *points.begin(), high = low;
+        for (const ImagePoint& p : points) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        return {below(low.x), above(high.x), below(low.y), above(high.y), above(high.z)};
+    }
+    /// Whether something with these bounds can be before a part of a line with those of `line`, farthest at `line_z`.
+    bool can_change(const ImageBounds& line, float line_z) const
+    {
+        return nearest >= line_z && left <= line.right && right >= line.left && top <= line.bottom &&
+               bottom >= line.top;
+    }
+    bool has(double x, double y) const { return left <= x && x <= right && top <= y && y <= bottom; }
+
+    static float below(double x) { return std::nextafterf(static_cast<float>(x), -std::numeric_limits<float>::max()); }
+    static float above(double x) { return std::nextafterf(static_cast<float>(x), std::numeric_limits<float>::max()); }
+};
+
+/// The faces of a drawing as what lines can be hidden by.
+///
+/// Within an object it is decided exactly for the object's float positions and the eye in its space: a face hides what
+/// is strictly behind its plane, so that a face's double, its back and what lies in its plane hide nothing of it.
+/// Objects are placed by matrices that round: there a face hides what lies behind it by over 2e-7 of the distance, so
+/// that objects in contact do not hide each other's lines by chance.
+class LineOccluders {
+ public:
+    /// Both must outlive this.
+    LineOccluders(const LineDrawing& drawing, const ImageSpace& space);
+
+    void fill();
+    double cell_px() const { return cell_px_; }
+
+    /// Whether a face that is not one of the line's own lies before a point of the line.
+    bool is_hidden(const ImagePoint& point, const DrawnLine& line) const;
+
+    /// The common case of large faces: both ends are behind one face, and so is all between.
+    bool is_behind_one_face(const ImagePoint& from, const ImagePoint& to, const DrawnLine& line) const;
+
+    /// Appends where the line goes through faces: shares of its length in the picture.
+    void cut(const ImagePoint& from, const ImagePoint& to, const ImageBounds& bounds, float farthest,
+             std::vector<double>& cuts) const;
+
+ private:
+    bool hides(const ImageTriangle& triangle, const ImagePoint& point, const DrawnLine& line) const;
+    bool hides_in_doubt(const ImageTriangle& triangle, const DrawnLine& line, double before) const;
+
+    const LineDrawing& drawing_;
+    double cell_px_;
+    double place_error_px_;
+    ImageGrid grid_;
+    std::vector<ImageBounds> bounds_;
+};
+
+}  // namespace hw
