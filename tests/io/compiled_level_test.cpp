@@ -1,0 +1,314 @@
+#include "io/compiled_level.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <fstream>
+#include <random>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "io/packed_rows.hpp"
+#include "world/scene_builder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using hw::test::SceneBuilder;
+
+constexpr glm::dvec3 kHere(-8, 0, 0);
+
+/// Three rooms in a row, doorways out of line, and a box in each; small, so that files are.
+hw::Scene& rooms(SceneBuilder& builder)
+{
+    builder.box({-10, -3, -5}, {10, 3, 5}, true);
+    for (int i = 0; i < 2; ++i) {
+        const double x = -3.0 + 6.0 * i, from = i == 0 ? 3.0 : -4.0;
+        builder.box({x - 0.2, -3, -5}, {x + 0.2, 3, from}, false);
+        builder.box({x - 0.2, -3, from + 1.0}, {x + 0.2, 3, 5}, false);
+    }
+    for (const double x : {-7.0, 0.0, 7.0}) builder.box({x, -2, -1}, {x + 1, -1, 1}, false);
+    return builder.scene();
+}
+
+struct Rooms {
+    SceneBuilder builder;
+    hw::Scene& scene = rooms(builder);
+    std::vector<hw::MeshChunks> chunks;
+    hw::CompiledLevel level;
+
+    explicit Rooms(int threads = 0)
+    {
+        hw::VisibilityOptions options;
+        options.threads = threads;
+        auto compiled = hw::test::compile(scene, options);
+        chunks = std::move(compiled.chunks);
+        level = {hw::compiled_level_key(scene, {}, options), options.effort, std::move(compiled.visibility)};
+    }
+    std::vector<std::byte> bytes() const { return hw::compiled_level_bytes(level, chunks); }
+    hw::CompiledLevel read(std::span<const std::byte> from) const
+    {
+        return hw::compiled_level_from_bytes(from, scene, chunks, "rooms.compiled");
+    }
+};
+
+std::vector<std::uint8_t> seen_from(const hw::Visibility& visibility, const glm::dvec3& eye)
+{
+    std::vector<std::uint8_t> seen;
+    hw::visible_chunks(visibility, eye, 0.1, seen);
+    return seen;
+}
+
+/// Whether the bytes are taken; what is refused must be refused by hw::Error, and what is taken must be usable.
+bool is_taken(const Rooms& rooms, std::span<const std::byte> bytes)
+{
+    try {
+        const hw::CompiledLevel level = rooms.read(bytes);
+        seen_from(level.visibility, kHere);
+        hw::visible_leaf_count(level.visibility, kHere, 0.1);
+        return true;
+    } catch (const hw::Error&) {
+        return false;
+    }
+}
+
+constexpr std::size_t kNoPlace = static_cast<std::size_t>(-1);
+
+/// Where a value stands in a file.
+template <typename Value>
+std::size_t place_of(const std::vector<std::byte>& bytes, const Value& value)
+{
+    for (std::size_t at = 0; at + sizeof value <= bytes.size(); ++at)
+        if (std::memcmp(bytes.data() + at, &value, sizeof value) == 0) return at;
+    return kNoPlace;
+}
+
+/// A file's content, which is its last and longest part, and the place of the hash over it, found by its value.
+struct Signature {
+    std::size_t content = kNoPlace;
+    std::size_t size = 0;
+    std::size_t hash = kNoPlace;
+
+    explicit Signature(const std::vector<std::byte>& good)
+    {
+        for (std::size_t at = 0; at + 4 < good.size() && hash == kNoPlace; at += 4) {
+            std::uint32_t count = 0;
+            std::memcpy(&count, good.data() + at, 4);
+            if (count == 0 || at + 4 + count > good.size()) continue;
+            const auto part = std::span(good).subspan(at + 4, count);
+            if (count < good.size() / 2) continue;
+            content = at + 4;
+            size = count;
+            hash = place_of(good, hw::hash_bytes(part));
+        }
+    }
+    void renew(std::vector<std::byte>& bytes) const
+    {
+        const std::uint64_t value = hw::hash_bytes(std::span(bytes).subspan(content, size));
+        std::memcpy(bytes.data() + hash, &value, sizeof value);
+    }
+};
+
+/// A folder that goes away with the test.
+struct Folder {
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+    fs::path path = fs::temp_directory_path() / ("hatchway_compiled_" + std::to_string(::getpid()));
+};
+
+hw::Level level_in(const fs::path& folder)
+{
+    hw::Level level;
+    level.file = folder / "a.level.json";
+    level.project_root = folder;
+    return level;
+}
+
+}  // namespace
+
+TEST(compiled_level, reads_what_was_written)
+{
+    const Rooms rooms;
+    const std::vector<std::byte> bytes = rooms.bytes();
+    const hw::CompiledLevel read = rooms.read(bytes);
+    EXPECT_EQ(read.key, rooms.level.key);
+    EXPECT_EQ(read.effort, rooms.level.effort);
+    EXPECT_EQ(hw::compiled_level_bytes(read, rooms.chunks), bytes) << "nothing is lost on the way";
+    for (const double x : {-9.0, -4.0, 0.0, 4.0, 9.0}) {
+        for (const double z : {-4.5, 0.0, 3.5}) {
+            EXPECT_EQ(seen_from(read.visibility, {x, 0, z}), seen_from(rooms.level.visibility, {x, 0, z}));
+            EXPECT_EQ(hw::visible_leaf_count(read.visibility, {x, 0, z}, 0.1),
+                      hw::visible_leaf_count(rooms.level.visibility, {x, 0, z}, 0.1));
+        }
+    }
+    ASSERT_EQ(read.visibility.tree.nodes.size(), rooms.level.visibility.tree.nodes.size());
+    for (std::size_t i = 0; i < read.visibility.tree.nodes.size(); ++i) {
+        const hw::ExactPlane& a = read.visibility.tree.nodes[i].plane;
+        const hw::ExactPlane& b = rooms.level.visibility.tree.nodes[i].plane;
+        EXPECT_TRUE(a.unit_normal == b.unit_normal && a.unit_offset == b.unit_offset);
+    }
+}
+
+TEST(compiled_level, is_the_same_for_any_number_of_threads)
+{
+    EXPECT_EQ(Rooms(1).bytes(), Rooms(2).bytes());
+    EXPECT_EQ(Rooms(1).bytes(), Rooms(7).bytes());
+}
+
+TEST(compiled_level, damage_is_refused_and_never_a_crash)
+{
+    const Rooms rooms;
+    const std::vector<std::byte> good = rooms.bytes();
+    std::mt19937 random(1);
+    for (int round = 0; round < 10'000; ++round) {
+        std::vector<std::byte> bytes = good;
+        if (round % 4 == 0) {
+            bytes.resize(random() % good.size());
+        } else {
+            const int flips = 1 + static_cast<int>(random() % 3);
+            for (int i = 0; i < flips; ++i) bytes[random() % bytes.size()] ^= std::byte(1u << random() % 8);
+        }
+        if (bytes == good) continue;
+        if (!is_taken(rooms, bytes)) continue;
+        // Only bits that say nothing may have changed, or the key, which whoever reads a file compares.
+        hw::CompiledLevel read = rooms.read(bytes);
+        read.key = rooms.level.key;
+        EXPECT_EQ(hw::compiled_level_bytes(read, rooms.chunks), good) << "round " << round;
+    }
+}
+
+TEST(compiled_level, what_was_made_to_deceive_is_never_a_crash)
+{
+    const Rooms rooms;
+    const std::vector<std::byte> good = rooms.bytes();
+    const Signature signature(good);
+    ASSERT_NE(signature.hash, kNoPlace);
+    std::mt19937 random(2);
+    int taken = 0;
+    for (int round = 0; round < 10'000; ++round) {
+        std::vector<std::byte> bytes = good;
+        const std::size_t at = signature.content + random() % signature.size;
+        if (round % 2 == 0) {
+            bytes[at] = std::byte(random());
+        } else {
+            const std::uint32_t word = random() % 3 == 0 ? 0xffffffffu : random() % 2 == 0 ? 0x7fffffffu : random();
+            std::memcpy(bytes.data() + std::min(at, bytes.size() - 4), &word, 4);
+        }
+        signature.renew(bytes);
+        taken += is_taken(rooms, bytes);
+    }
+    EXPECT_GT(taken, 0) << "signed files get past the hash, so that the checks behind it are what is tested";
+}
+
+TEST(compiled_level, of_another_scene_is_refused)
+{
+    const Rooms rooms;
+    const std::vector<std::byte> bytes = rooms.bytes();
+    SceneBuilder more;
+    hw::Scene& scene = ::rooms(more);
+    more.box({1, 0, 1}, {2, 1, 2}, false);
+    std::vector<hw::MeshChunks> chunks;
+    for (hw::MeshData& mesh : scene.meshes) chunks.push_back(hw::split_into_chunks(mesh));
+    EXPECT_THROW(hw::compiled_level_from_bytes(bytes, scene, chunks, "x"), hw::Error);
+}
+
+TEST(compiled_level, is_known_by_what_decides_about_sight_and_by_nothing_else)
+{
+    SceneBuilder builder;
+    hw::Scene& scene = rooms(builder);
+    const hw::VisibilityOptions options;
+    const hw::Level level;
+    const std::uint64_t key = hw::compiled_level_key(scene, level, options);
+    scene.materials[0].base_colour = glm::vec4(0.1f);
+    scene.nodes[0].name = "another";
+    EXPECT_EQ(hw::compiled_level_key(scene, level, options), key);
+    const auto changes = [&](auto change) {
+        SceneBuilder other;
+        hw::Scene& changed = rooms(other);
+        hw::Level with = level;
+        change(changed, with);
+        return hw::compiled_level_key(changed, with, options) != key;
+    };
+    EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { s.meshes[0].positions[3].x += 1e-3f; }));
+    EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { std::swap(s.meshes[0].indices[0], s.meshes[0].indices[1]); }));
+    EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { s.nodes[1].world_from_node[3].y += 1.0; }));
+    EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { s.nodes[1].is_animated = true; }));
+    EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { s.materials[0].is_double_sided = true; }));
+    EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { s.materials[0].alpha_mode = hw::AlphaMode::blend; }));
+    EXPECT_TRUE(changes([](hw::Scene&, hw::Level& l) { l.structure = std::vector<std::string>{"n0"}; }));
+}
+
+TEST(compiled_level, is_kept_beside_the_level_and_found_again)
+{
+    const Folder folder;
+    const Rooms rooms;
+    const fs::path file = hw::compiled_level_path(level_in(folder.path), {});
+    EXPECT_EQ(file.parent_path().filename(), ".hatchway");
+    const auto find = [&](std::uint64_t key, hw::PvsEffort effort) {
+        return hw::find_compiled_level(file, key, effort, rooms.scene, rooms.chunks).has_value();
+    };
+    EXPECT_FALSE(find(rooms.level.key, hw::PvsEffort::full));
+    hw::keep_compiled_level(file, rooms.level, rooms.chunks);
+    EXPECT_TRUE(find(rooms.level.key, hw::PvsEffort::full));
+    EXPECT_TRUE(find(rooms.level.key, hw::PvsEffort::fast));
+    EXPECT_FALSE(find(rooms.level.key, hw::PvsEffort::exact)) << "less than what is wanted";
+    EXPECT_FALSE(find(rooms.level.key + 1, hw::PvsEffort::full)) << "made from something else";
+    std::ofstream(file) << "damaged";
+    EXPECT_FALSE(find(rooms.level.key, hw::PvsEffort::full));
+    hw::keep_compiled_level(file, rooms.level, rooms.chunks);
+    EXPECT_TRUE(find(rooms.level.key, hw::PvsEffort::full)) << "rebuilt over the damaged one";
+}
+
+TEST(compiled_level, a_folder_that_is_write_protected_stays_as_it_is)
+{
+    const Folder folder;
+    const Rooms rooms;
+    const fs::path file = hw::compiled_level_path(level_in(folder.path), {});
+    fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_THROW(hw::keep_compiled_level(file, rooms.level, rooms.chunks), hw::Error);
+    EXPECT_TRUE(fs::is_empty(folder.path));
+    fs::permissions(folder.path, fs::perms::owner_all);
+}
+
+TEST(compiled_level, a_link_never_leads_out_of_the_project)
+{
+    const Folder folder;
+    fs::create_directories(folder.path / "project");
+    fs::create_directories(folder.path / "elsewhere");
+    fs::create_directory_symlink(folder.path / "elsewhere", folder.path / "project" / ".hatchway");
+    EXPECT_THROW(hw::compiled_level_path(level_in(folder.path / "project"), {}), hw::Error);
+}
+
+TEST(compiled_level, levels_of_one_name_do_not_meet_in_a_cache_folder)
+{
+    const Folder folder;
+    const fs::path one = hw::compiled_level_path(level_in(folder.path / "one"), folder.path);
+    const fs::path two = hw::compiled_level_path(level_in(folder.path / "two"), folder.path);
+    EXPECT_NE(one, two);
+    EXPECT_EQ(one.parent_path(), folder.path);
+}
+
+TEST(packed_rows, come_back_whatever_their_bits)
+{
+    std::mt19937 random(3);
+    for (const int columns : {0, 1, 7, 8, 63, 64, 65, 1000}) {
+        hw::LeafRows rows(20, columns);
+        for (int row = 0; row < 20; ++row)  // from empty over noise to full
+            for (int column = 0; column < columns; ++column)
+                if (static_cast<int>(random() % 19) < row) rows.show(row, column);
+        const hw::PackedRows packed = hw::pack_rows(rows);
+        const auto back = hw::unpack_rows(packed.ends, packed.bytes, 20, columns);
+        ASSERT_TRUE(back.has_value()) << columns;
+        for (int row = 0; row < 20; ++row)
+            EXPECT_TRUE(std::equal(rows.row(row).begin(), rows.row(row).end(), back->row(row).begin())) << columns;
+    }
+}
+
+TEST(packed_rows, of_long_runs_are_short)
+{
+    hw::LeafRows rows(10, 10'000);
+    for (int row = 0; row < 10; ++row)
+        for (int column = 100 * row; column < 5000 + row; ++column) rows.show(row, column);
+    EXPECT_LT(hw::pack_rows(rows).bytes.size(), 100u);
+}
