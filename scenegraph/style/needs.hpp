@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/hatch_coordinates.hpp"
 #include "param/param_value.hpp"
 #include "param/param_visitor.hpp"
 
@@ -17,12 +18,13 @@ struct EdgeNeed {
     bool intersections = false;  ///< Lines where objects cut each other.
 };
 
-/// Extra vertex streams. `hatch_uv` is made (box projection) where the model has no texture coordinates.
+/// Extra vertex streams. Made once for each mesh and source, on need.
 struct Streams {
     bool tangent = false;
-    bool hatch_uv = false;
-    bool direction = false;   ///< Principal direction, object space.
+    bool hatch_uv = false;    ///< Coordinates that strokes follow, from `hatch_source`.
+    bool direction = false;   ///< Where u of `hatch_source` rises; of source model the direction of strongest curvature.
     bool arc_length = false;  ///< Along lines, object space, metres.
+    HatchSource hatch_source = HatchSource::model;
 };
 
 enum class ShadowNeed : unsigned char { none, main_light };
