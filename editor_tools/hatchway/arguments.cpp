@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/limits.hpp"
 #include "gl/context.hpp"
+#include "hatchway/output_files.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -25,6 +26,13 @@ void add_level_arguments(CLI::App& command, LevelArguments& arguments)
     add_plugin_dir_argument(command, arguments.plugin_dirs);
     command.add_flag("--no-pvs", arguments.without_pvs, "Draw everything in the frustum");
     command.add_flag("--no-baked-light", arguments.without_baked_light, "Leave the lightmap beside the level alone");
+    add_cache_argument(command, arguments.cache);
+    command.add_flag("--no-cache", arguments.without_cache, "Compile the level anew and keep nothing");
+}
+
+void add_cache_argument(CLI::App& command, fs::path& cache)
+{
+    command.add_option("--cache", cache, "Keep compiled levels in this folder and find them there")->option_text("DIR");
 }
 
 void add_plugin_dir_argument(CLI::App& command, std::vector<fs::path>& plugin_dirs)
@@ -39,14 +47,19 @@ void add_json_argument(CLI::App& command, fs::path& json_file)
     command.add_option("--json", json_file, "Write the result as JSON")->option_text("FILE");
 }
 
-StageOptions stage_options(const LevelArguments& arguments)
+StageOptions stage_options(const LevelArguments& arguments, CompiledUse use)
 {
+    std::optional<CompiledCache> cache;
+    if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
+    if (!arguments.without_cache && (use == CompiledUse::reused || !arguments.cache.empty()))
+        cache = CompiledCache{arguments.cache};
     return {.file = arguments.file,
             .style_overrides = arguments.styles,
             .plugin_dirs = arguments.plugin_dirs,
             .has_visibility = !arguments.without_pvs,
             .visibility = {},
-            .baked_light = arguments.without_baked_light ? BakedLight::unwanted : BakedLight::if_there};
+            .baked_light = arguments.without_baked_light ? BakedLight::unwanted : BakedLight::if_there,
+            .cache = std::move(cache)};
 }
 
 glm::ivec2 parse_size(const std::string& text)

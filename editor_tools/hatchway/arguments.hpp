@@ -23,13 +23,25 @@ struct LevelArguments {
     std::vector<std::filesystem::path> plugin_dirs;
     bool without_pvs = false;
     bool without_baked_light = false;
+    std::filesystem::path cache;  ///< Where compiled levels are kept; empty: beside the level, or nowhere.
+    bool without_cache = false;
+};
+
+/// What a command does with compiled levels where --cache does not say.
+enum class CompiledUse : unsigned char {
+    anew,    ///< Compiles, and keeps nothing.
+    reused,  ///< Takes what lies beside the level, or leaves it there.
 };
 
 void add_level_arguments(CLI::App& command, LevelArguments& arguments);
 void add_plugin_dir_argument(CLI::App& command, std::vector<std::filesystem::path>& plugin_dirs);
 void add_json_argument(CLI::App& command, std::filesystem::path& json_file);
 
-StageOptions stage_options(const LevelArguments& arguments);
+/// --cache alone, for commands that do not draw.
+void add_cache_argument(CLI::App& command, std::filesystem::path& cache);
+
+/// Throws hw::Error if --cache names no folder, or none that can be made.
+StageOptions stage_options(const LevelArguments& arguments, CompiledUse use = CompiledUse::anew);
 
 /// "1280x720". Throws hw::Error unless both sides are in [1, limits::kMaxImageSide] and the picture has at
 /// most limits::kMaxImagePixels.

@@ -9,6 +9,7 @@
 #include "hatchway/commands.hpp"
 #include "hatchway/level_doubts.hpp"
 #include "hatchway/output_files.hpp"
+#include "hatchway/world_shown.hpp"
 #include "io/json_out.hpp"
 
 namespace hw {
@@ -19,6 +20,23 @@ struct CheckArguments {
     std::filesystem::path json;
 };
 
+JsonValue leaks_json(const std::vector<Leak>& leaks)
+{
+    const auto point_json = [](const glm::dvec3& p) { return JsonValue::array().push(p.x).push(p.y).push(p.z); };
+    JsonValue json = JsonValue::array();
+    for (const Leak& leak : leaks) {
+        JsonValue points = JsonValue::array();
+        for (const glm::dvec3& point : leak.points_world) points.push(point_json(point));
+        json.push(JsonValue::object()
+                      .set("from", leak.from)
+                      .set("opening", point_json(leak.opening_world))
+                      .set("opening_m2", leak.opening_m2)
+                      .set("near", leak.near_node)
+                      .set("points", std::move(points)));
+    }
+    return json;
+}
+
 void check(const CheckArguments& arguments)
 {
     const std::vector<OutputFile> outputs{{"--json", arguments.json}};
@@ -28,6 +46,8 @@ void check(const CheckArguments& arguments)
     require_unread(outputs);
     const std::vector<std::string> found = level_doubts(stage.level(), stage.scene());
     for (const std::string& doubt : found) log_warning(doubt);
+    const bool is_sealed = stage.level().is_sealed;
+    const std::vector<Leak> leaks = is_sealed ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
 
     const Scene& scene = stage.scene();
     std::cout << fmt::format("{}: good: {} objects, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
@@ -35,7 +55,7 @@ void check(const CheckArguments& arguments)
                              arguments.level.file.string(), scene.objects.size(), drawn_triangle_count(scene),
                              scene.materials.size(), scene.lights.size() + stage.level().lights.size(),
                              stage.level().styles.size(), stage.level().cameras.size() + scene.cameras.size(),
-                             stage.level().paths.size(), found.size());
+                             stage.level().paths.size(), found.size() + leaks.size());
     if (arguments.json.empty()) return;
     JsonValue warnings = JsonValue::array();
     for (const std::string& doubt : found) warnings.push(doubt);
@@ -43,7 +63,8 @@ void check(const CheckArguments& arguments)
                                    .set("level", arguments.level.file.string())
                                    .set("objects", static_cast<std::uint64_t>(scene.objects.size()))
                                    .set("triangles", drawn_triangle_count(scene))
-                                   .set("warnings", std::move(warnings)));
+                                   .set("warnings", std::move(warnings))
+                                   .set("leaks", leaks_json(leaks)));
 }
 
 }  // namespace

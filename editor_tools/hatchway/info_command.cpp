@@ -16,6 +16,7 @@ namespace {
 struct InfoArguments {
     std::filesystem::path file;
     std::filesystem::path json;
+    std::filesystem::path cache;
     bool has_nodes = false;
 };
 
@@ -116,7 +117,10 @@ void info(const InfoArguments& arguments)
     require_outputs(outputs, {arguments.file});
     const VisibilityOptions visibility;
     const Level level = read_level_with(arguments.file, {});
-    const auto world = open_world(level, &visibility);
+    if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
+    const CompiledCache cache{arguments.cache};
+    const auto world =
+        open_world(level, &visibility, BakedLight::unwanted, arguments.cache.empty() ? nullptr : &cache);
     require_unread(outputs);
     const MeshTotals totals = totals_of(scene_surfaces(world->scene));
     print_info(*world, totals);
@@ -132,6 +136,7 @@ void add_info_command(CLI::App& app)
     CLI::App* command = app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
     command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
     command->add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
+    add_cache_argument(*command, arguments->cache);
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { info(*arguments); });
 }

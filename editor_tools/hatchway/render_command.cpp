@@ -14,6 +14,7 @@
 #include "hatchway/output_files.hpp"
 #include "hatchway/shots.hpp"
 #include "hatchway/stats_text.hpp"
+#include "hatchway/world_shown.hpp"
 #include "io/images.hpp"
 
 namespace hw {
@@ -23,6 +24,7 @@ namespace {
 struct RenderArguments {
     LevelArguments level;
     ShotArguments shots;
+    ShowArguments show;
     std::string size = "1280x720";
     fs::path out;
     int samples = 4;
@@ -85,19 +87,22 @@ void render(const RenderArguments& arguments)
     const glm::ivec2 size = parse_size(arguments.size);
     const auto context = make_headless_context();
     require_fits(size, context->device());
-    Stage stage(*context, stage_options(arguments.level));
+    Stage stage(*context, stage_options(arguments.level, CompiledUse::reused));
     warn_of_idle_styles(stage.level(), stage.scene(), arguments.level.styles.size());
     const std::vector<Shot> shots =
         shots_of(arguments.shots, stage.level(), stage.scene(), static_cast<double>(size.x) / size.y);
     require_unread(output_files(arguments, shots.size()));
     if (is_path(arguments)) make_folder(arguments.out);
 
-    const FrameOptions options = frame_options(arguments);
+    FrameOptions options = frame_options(arguments);
+    const std::vector<Leak> leaks =
+        arguments.show.has_leaks ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
     JsonValue frames = JsonValue::array();
     Progress progress("Rendering", shots.size());
     for (std::size_t i = 0; i < shots.size(); ++i) {
         View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
         view.time_s = shots[i].time_s;
+        options.overlay.lines = shown_lines(stage.world(), arguments.show, leaks, view, size);
         const FrameStats stats = stage.draw(view, options);
         const fs::path file = picture_file(arguments, i);
         write_png(file, stage.renderer().read_picture());
@@ -118,6 +123,7 @@ void add_render_command(CLI::App& app)
     CLI::App* command = app.add_subcommand("render", "Draws pictures of a level, from a camera or along a path");
     add_level_arguments(*command, arguments->level);
     add_shot_arguments(*command, arguments->shots);
+    add_show_arguments(*command, arguments->show);
     command->add_option("--size", arguments->size, "Size of the picture in pixels, 1280x720")->option_text("WxH");
     command->add_option("--out", arguments->out, "The PNG file; with --path a folder for frame_0000.png and on")
         ->required()

@@ -51,6 +51,7 @@ void add_walk_command(CLI::App& app)
     add_level_arguments(*command, arguments->options.level);
     command->add_option("--camera", arguments->options.camera, "Start at a camera of the level or the model")
         ->option_text("NAME");
+    add_show_arguments(*command, arguments->options.show);
     command->add_option("--size", arguments->size, "Size of the window, 1280x720")->option_text("WxH");
     command
         ->add_option("--fps", arguments->options.target_fps,

@@ -67,7 +67,7 @@ WalkSession::WalkSession(Window& window, WalkOptions options) : window_(window),
 {
     const double usual_fps = is_software(window.device()) ? kSoftwareFps : kDeviceFps;
     goal_.target_fps = options_.target_fps > 0.0 ? options_.target_fps : usual_fps;
-    open(stage_options(options_.level));
+    open(stage_options(options_.level, CompiledUse::reused));
     warn_of_idle_styles(stage_->level(), stage_->scene(), options_.level.styles.size());
     Camera first = start_camera(stage_->level(), stage_->scene(), aspect_of(window));
     if (!options_.camera.empty()) first = camera_named(options_.camera, stage_->level(), stage_->scene());
@@ -85,6 +85,7 @@ void WalkSession::open(const StageOptions& stage_options)
 void WalkSession::build_worlds()
 {
     pick_world_ = build_pick_world(stage_->scene());
+    leaks_ = options_.show.has_leaks ? told_leaks(stage_->level(), stage_->scene()) : std::vector<Leak>();
     collides_.clear();
     build_own_collision();
     body_ = body_for(stage_->scene().bounds_world, is_level_file(stage_->level().file));
@@ -226,7 +227,7 @@ std::string WalkSession::save_level()
     options_.level.file = level_file;
     options_.level.styles.clear();
     const PlayerState kept = player_;
-    open(stage_options(options_.level));
+    open(stage_options(options_.level, CompiledUse::reused));
     player_ = kept;
     return message;
 }
@@ -266,10 +267,13 @@ void WalkSession::draw()
     const float content_scale = window_.content_scale();
 
     const double before_s = now_s();
-    stats_ = stage_->draw(view(size, content_scale * quality.render_scale),
+    const View now = view(size, content_scale * quality.render_scale);
+    stats_ = stage_->draw(now,
                           {.samples = quality.samples, .use_pvs = !options_.level.without_pvs, .is_timed = true});
     const WalkFacts shown = facts(quality, aimed_object(), window_size.x / content_scale);
-    stage_->renderer().present(walk_overlay(shown), content_scale);
+    Overlay overlay = walk_overlay(shown);
+    overlay.lines = shown_lines(stage_->world(), options_.show, leaks_, now, window_size / content_scale);
+    stage_->renderer().present(overlay, content_scale);
     pacing_ = after_frame(pacing_, goal_, 1000.0 * (now_s() - before_s));
     window_.swap();
 }

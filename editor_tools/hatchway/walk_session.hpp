@@ -9,6 +9,7 @@
 
 #include "gl/window.hpp"
 #include "hatchway/arguments.hpp"
+#include "hatchway/world_shown.hpp"
 #include "walk/controls.hpp"
 #include "walk/frame_pacing.hpp"
 #include "walk/pick.hpp"
@@ -24,6 +25,7 @@ struct WalkOptions {
     std::string camera;          ///< Where to start; empty: the level's start.
     double target_fps = 0.0;     ///< 0: 30 on a software renderer, else 60.
     std::optional<int> samples;  ///< Fixed; else they follow from the frame rate.
+    ShowArguments show;
 };
 
 /// A walk through a level in a window, until the window closes.
@@ -80,6 +82,7 @@ class WalkSession {
     WalkOptions options_;
     std::unique_ptr<Stage> stage_;
     std::unique_ptr<WalkStyles> styles_;
+    std::vector<Leak> leaks_;  ///< Where they are to be shown.
     PickWorld pick_world_;
     std::optional<CollisionWorld> own_collision_;  ///< Where some objects do not collide; else what is picked.
     std::vector<char> collides_;                   ///< For each object, as `own_collision_` was built.

@@ -16,8 +16,17 @@ struct OverlayText {
     glm::vec4 background{0.0f, 0.0f, 0.0f, 0.6f};
 };
 
-/// What is drawn over a finished picture.
+/// A straight line over the picture, in logical pixels from the top left corner.
+struct OverlayLine {
+    glm::vec2 from_px{0.0f};
+    glm::vec2 to_px{0.0f};
+    glm::vec4 colour{1.0f, 1.0f, 1.0f, 1.0f};  ///< sRGB and alpha.
+    float width_px = 1.0f;
+};
+
+/// What is drawn over a finished picture: lines, then texts.
 struct Overlay {
+    std::vector<OverlayLine> lines;
     std::vector<OverlayText> texts;
     bool has_cross_hair = false;
 };

@@ -47,6 +47,7 @@ void OverlayDrawer::draw(const Overlay& overlay, glm::ivec2 size_px, float px_sc
 {
     colours_ = colours;
     vertices_.clear();
+    for (const OverlayLine& line : overlay.lines) add_line(line, px_scale);
     for (const OverlayText& text : overlay.texts) add_text(text, size_px, px_scale);
     if (overlay.has_cross_hair) add_cross_hair(size_px, px_scale);
     if (vertices_.empty()) return;
@@ -85,6 +86,20 @@ void OverlayDrawer::add_filled(glm::vec2 min_px, glm::vec2 max_px, const glm::ve
 {
     const glm::vec2 texel = glm::vec2(filled_cell() * kGlyphTexels) + 0.5f * glm::vec2(kGlyphTexels);
     add_rectangle({min_px, max_px, texel, texel}, colour);
+}
+
+void OverlayDrawer::add_line(const OverlayLine& line, float px_scale)
+{
+    const glm::vec2 from = line.from_px * px_scale;
+    const glm::vec2 to = line.to_px * px_scale;
+    const float length = glm::length(to - from);
+    if (!(length > 0.0f)) return;
+    const glm::vec2 along = (to - from) / length;
+    const glm::vec2 side = 0.5f * std::max(line.width_px * px_scale, 1.0f) * glm::vec2(-along.y, along.x);
+    const glm::vec2 texel = glm::vec2(filled_cell() * kGlyphTexels) + 0.5f * glm::vec2(kGlyphTexels);
+    const glm::vec4 colour = target_colour(line.colour);
+    for (const glm::vec2& corner : {from - side, to - side, to + side, from - side, to + side, from + side})
+        vertices_.push_back({glm::vec3(corner, 0.0f), texel, colour});
 }
 
 void OverlayDrawer::add_text(const OverlayText& text, glm::ivec2 size_px, float px_scale)

@@ -37,6 +37,7 @@ class OverlayDrawer {
     void add_rectangle(const Rectangle& rectangle, const glm::vec4& colour);
     void add_filled(glm::vec2 min_px, glm::vec2 max_px, const glm::vec4& colour);
     void add_text(const OverlayText& text, glm::ivec2 size_px, float px_scale);
+    void add_line(const OverlayLine& line, float px_scale);
     void add_cross_hair(glm::ivec2 size_px, float px_scale);
 
     ProgramStore& programs_;

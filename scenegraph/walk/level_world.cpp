@@ -79,16 +79,19 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 }
 
 std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
-                                             BakedLight baked_light)
+                                             BakedLight baked_light, const CompiledCache* cache)
 {
     auto world = std::make_shared<LevelWorld>();
     world->scene = import_gltf(level.scene_file, level.project_root);
     world->chunks.reserve(world->scene.meshes.size());
     for (MeshData& mesh : world->scene.meshes) world->chunks.push_back(split_into_chunks(mesh));
+    if (visibility) {
+        CompiledLevel compiled = cache ? find_or_compile_world(level, *world, *visibility, *cache)
+                                       : compile_world(level, *world, *visibility);
+        world->visibility = std::make_unique<Visibility>(std::move(compiled.visibility));
+    }
+    // Last: a lightmap adds vertices to meshes, and must not change what a compiled level is known by.
     if (baked_light == BakedLight::if_there) add_baked_light(level, *world);
-    if (visibility)
-        world->visibility =
-            std::make_unique<Visibility>(build_visibility(world->scene, level, world->chunks, *visibility));
     return world;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/mesh_chunks.hpp"
+#include "walk/compiled_world.hpp"
 #include "world/level.hpp"
 #include "world/lightmap.hpp"
 #include "world/visibility.hpp"
@@ -30,11 +31,12 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 
 enum class BakedLight : unsigned char { unwanted, if_there };
 
-/// Imports the level's model and cuts its meshes into chunks; makes the visibility too when `visibility` is given, and
-/// takes the lightmap beside the level when it is wanted. One that was baked for another state of the level is left out,
-/// with a warning. The renderer points into the result, so it never moves.
+/// Imports the level's model and cuts its meshes into chunks; makes the visibility too when `visibility` is given, or
+/// takes it from `cache` when that is given, and takes the lightmap beside the level when it is wanted. One that was baked
+/// for another state of the level is left out, with a warning. The renderer points into the result, so it never moves.
 std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
-                                             BakedLight baked_light = BakedLight::unwanted);
+                                             BakedLight baked_light = BakedLight::unwanted,
+                                             const CompiledCache* cache = nullptr);
 
 /// Whether the model and its visibility stay as they are when `before` becomes `after`.
 bool same_world(const Level& before, const Level& after);

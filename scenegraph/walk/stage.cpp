@@ -39,13 +39,19 @@ Stage::Stage(Context& context, StageOptions options)
     // Styles first: a wrong name in the level shows at once, not after the model has been loaded.
     Level level = read_level_with(options_.file, options_.style_overrides);
     styles_.set_level(level);
-    auto world = open_world(level, options_.has_visibility ? &options_.visibility : nullptr, options_.baked_light);
+    auto world = world_of(level);
     shown_ = with_looks(std::move(level), std::move(world), {});
     load();
     watch_files();
 }
 
 Stage::~Stage() = default;
+
+std::shared_ptr<const LevelWorld> Stage::world_of(const Level& level) const
+{
+    return open_world(level, options_.has_visibility ? &options_.visibility : nullptr, options_.baked_light,
+                      options_.cache ? &*options_.cache : nullptr);
+}
 
 Stage::Shown Stage::with_looks(Level level, std::shared_ptr<const LevelWorld> world,
                                const std::vector<AssignRule>& extra_rules)
@@ -170,8 +176,7 @@ Reload Stage::reload_level(bool is_model_changed)
         Level level = read_level_with(options_.file, options_.style_overrides);
         styles_.set_level(level);
         const bool is_new_world = is_model_changed || !same_world(shown_.level, level);
-        const VisibilityOptions* visibility = options_.has_visibility ? &options_.visibility : nullptr;
-        auto world = is_new_world ? open_world(level, visibility, options_.baked_light) : shown_.world;
+        auto world = is_new_world ? world_of(level) : shown_.world;
         show(with_looks(std::move(level), std::move(world), extra_rules_), false);
         return is_new_world ? Reload::world : Reload::looks;
     } catch (const Error& error) {

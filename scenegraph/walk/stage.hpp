@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct StageOptions {
     bool has_visibility = true;                      ///< Without, everything in the frustum is drawn.
     VisibilityOptions visibility;
     BakedLight baked_light = BakedLight::if_there;
+    std::optional<CompiledCache> cache;  ///< Absent: the visibility is compiled at every start and not kept.
 };
 
 /// What a reload changed.
@@ -40,6 +42,7 @@ class Stage {
     Renderer& renderer() { return renderer_; }
 
     const Level& level() const { return shown_.level; }
+    const LevelWorld& world() const { return *shown_.world; }
     const Scene& scene() const { return shown_.world->scene; }
     const std::vector<MeshChunks>& chunks() const { return shown_.world->chunks; }
     const Visibility* visibility() const { return shown_.world->visibility.get(); }
@@ -70,6 +73,7 @@ class Stage {
         std::vector<StyledObject> objects;
     };
 
+    std::shared_ptr<const LevelWorld> world_of(const Level& level) const;
     Shown with_looks(Level level, std::shared_ptr<const LevelWorld> world,
                      const std::vector<AssignRule>& extra_rules);
     /// Reads every map that the level names, also where no object uses it, so that a wrong one is told with its place.

@@ -154,7 +154,7 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
         structure.box_max = {1, 1, 1};
         return structure;
     }
-    set_box(structure, scene.bounds_world);
+    set_box(structure, {scene.bounds_world.min - options.margin_m, scene.bounds_world.max + options.margin_m});
     structure.scene_side_m2 = largest_side(scene.bounds_world);
 
     const std::vector<char> is_named_node = named_nodes(scene, level);

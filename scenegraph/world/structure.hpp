@@ -15,6 +15,7 @@ struct StructureOptions {
     int max_structure = 6000;
     int max_details = 6000;
     double least_area_share = 1.5e-2;  ///< All that lies in one plane, of the largest side of the scene's box.
+    double margin_m = 0.0;             ///< By which the box is larger than the scene, so that outer walls count, too.
 };
 
 /// The polygons that partition space and block sight, snapped to the grid.
