@@ -88,6 +88,7 @@ void LevelLines::take_inks(const std::vector<ObjectInk>& inks, std::optional<flo
         LineObject& object = objects_[id];
         pens_[id] = inks[id].looks;
         object.is_drawn = !pens_[id].empty();
+        object.with_intersections = inks[id].has_intersections;
         if (!object.is_drawn) continue;
         // Styles of one object that want different creases share the finer one: their lines lie on each other.
         object.crease_rad = pens_[id][0].look.crease_rad;
@@ -110,6 +111,12 @@ void LevelLines::find_object_seams(const std::vector<ObjectInk>& inks)
     }
     seams_ = find_seams(together, {.crease_rad = crease_rad});
     for (std::size_t i = 0; i < ids.size(); ++i) objects_[ids[i]].seams = &seams_[i];
+}
+
+const std::vector<IntersectionLine>& LevelLines::intersections()
+{
+    if (!intersections_) intersections_ = find_intersections(objects_);
+    return *intersections_;
 }
 
 const std::string& LevelLines::name(std::uint32_t object) const

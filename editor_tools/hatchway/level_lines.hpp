@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/intersections.hpp"
 #include "geometry/visible_lines.hpp"
 #include "hatchway/line_looks.hpp"
 #include "io/vector_drawing.hpp"
@@ -20,6 +21,8 @@ class LevelLines {
     LevelLines& operator=(const LevelLines&) = delete;
 
     const std::vector<LineObject>& objects() const { return objects_; }
+    /// Where objects whose styles want it go through each other. Found once, on the first call.
+    const std::vector<IntersectionLine>& intersections();
     const std::string& name(std::uint32_t object) const;
 
     /// The lines with the widths and colours of the objects' styles: those thinned away by distance or presence are left
@@ -38,6 +41,7 @@ class LevelLines {
     std::vector<LineObject> objects_;
     std::vector<std::vector<ObjectLineLook>> pens_;
     std::vector<Seams> seams_;          ///< Of the objects whose styles draw edges.
+    std::optional<std::vector<IntersectionLine>> intersections_;
     std::vector<float> mean_length_m_;  ///< Of an object's lines, world space: what the far policy goes by.
 };
 

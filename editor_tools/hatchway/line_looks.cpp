@@ -62,6 +62,7 @@ void add_need(ObjectInk& ink, const Needs& needs)
     if (!needs.edges) return;
     ink.crease_rad = ink.is_used ? std::min(ink.crease_rad, needs.edges->crease_rad) : needs.edges->crease_rad;
     ink.is_used = true;
+    ink.has_intersections = ink.has_intersections || needs.edges->intersections;
 }
 
 }  // namespace

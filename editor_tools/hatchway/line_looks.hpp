@@ -19,6 +19,7 @@ struct ObjectLineLook {
 struct ObjectInk {
     bool is_used = false;            ///< A style of the object draws edges.
     float crease_rad = 0.0f;         ///< The smallest that its styles ask for.
+    bool has_intersections = false;  ///< A style draws where the object goes through others.
     std::uint32_t style_group = 0;   ///< Objects of one group hide each other's seams.
     std::vector<ObjectLineLook> looks;
 };

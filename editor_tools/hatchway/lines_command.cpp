@@ -59,8 +59,7 @@ VisibleLineOptions line_options(const LinesArguments& arguments)
 {
     return {.with_hidden = arguments.hidden == "dashed",
             .with_creases = arguments.mode != "contour",
-            .with_artist = arguments.mode == "all",
-            .with_intersections = arguments.mode == "all"};
+            .with_artist = arguments.mode == "all"};
 }
 
 /// The styles decide, where there are any: a bare model that was given none is drawn with one pen.
@@ -124,10 +123,12 @@ void draw_lines(const LinesArguments& arguments)
     const LineCamera camera = line_camera(shot.camera, view);
     std::optional<float> crease_rad;
     if (arguments.crease_deg) crease_rad = static_cast<float>(*arguments.crease_deg * kRadians);
-    const LevelLines lines(scene, inks_of(arguments, level, scene, view), crease_rad);
+    LevelLines lines(scene, inks_of(arguments, level, scene, view), crease_rad);
 
+    VisibleLineOptions options = line_options(arguments);
+    if (arguments.mode == "all") options.intersections = lines.intersections();
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<VisibleLine> found = find_visible_lines(lines.objects(), camera, line_options(arguments));
+    const std::vector<VisibleLine> found = find_visible_lines(lines.objects(), camera, options);
     const double ms = 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_results(arguments, found, lines, camera, level);
     const auto seen = std::count_if(found.begin(), found.end(), [](const auto& line) { return line.is_visible; });

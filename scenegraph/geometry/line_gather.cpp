@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "geometry/intersections.hpp"
 #include "geometry/line_chains.hpp"
 
 namespace hw {
@@ -30,6 +31,22 @@ class Gathering {
         }
         if (object.is_drawn) add_lines();
         first_face_ += static_cast<std::uint32_t>(object.surface->faces.size());
+    }
+
+    /// Once all objects are there.
+    void add_intersections(std::span<const LineObject> objects)
+    {
+        const glm::dmat3 turn(space_.view_from_world());
+        for (const IntersectionLine& cut : options_.intersections) {
+            const std::uint32_t owner = cut.objects[shows_intersections(objects[cut.objects[0]]) ? 0 : 1];
+            DrawnLine line{owner, VisibleLineClass::intersection, cut.joints};
+            for (int side = 0; side < 2; ++side)
+                line.faces[side] = drawing.objects[cut.objects[side]].first_face + cut.faces[side];
+            line.from_view = turn * (cut.ends_world[0] - camera_.eye_world);
+            line.to_view = turn * (cut.ends_world[1] - camera_.eye_world);
+            line.is_edge = false;
+            drawing.lines.push_back(line);
+        }
     }
 
     LineDrawing drawing;
@@ -177,7 +194,8 @@ class Gathering {
                                      {kFreeEnd, kFreeEnd},
                                      {kNoFace, kNoFace},
                                      glm::dvec3(view_from_object * glm::dvec4(from, 1.0)),
-                                     glm::dvec3(view_from_object * glm::dvec4(to, 1.0))});
+                                     glm::dvec3(view_from_object * glm::dvec4(to, 1.0)),
+                                     false});
         }
     }
 
@@ -203,6 +221,7 @@ LineDrawing gather_lines(std::span<const LineObject> objects, const LineCamera& 
 {
     Gathering gathering(camera, space, options);
     for (std::uint32_t i = 0; i < objects.size(); ++i) gathering.add(i, objects[i]);
+    if (!options.intersections.empty()) gathering.add_intersections(objects);
     return std::move(gathering.drawing);
 }
 

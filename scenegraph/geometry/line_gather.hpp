@@ -13,10 +13,12 @@ namespace hw {
 struct DrawnLine {
     std::uint32_t object = 0;
     VisibleLineClass line_class = VisibleLineClass::silhouette;
-    std::array<std::uint32_t, 2> vertices{};  ///< Of the surface; kFreeEnd where it is a part of an edge.
+    /// Of the surface, or joints of intersections; kFreeEnd where it is a part of an edge.
+    std::array<std::uint32_t, 2> vertices{};
     std::array<std::uint32_t, 2> faces{};     ///< Numbers among all faces; kNoFace where there is none.
     glm::dvec3 from_view{0.0};
     glm::dvec3 to_view{0.0};
+    bool is_edge = true;  ///< A whole edge of the object's surface.
 };
 
 /// A line at which visibility can change behind it.

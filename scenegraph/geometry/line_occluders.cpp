@@ -4,7 +4,6 @@
 // that is decided; the rest goes to the exact predicates, on the positions as the object has them.
 #include "geometry/line_occluders.hpp"
 
-#include "geometry/line_chains.hpp"
 #include "geometry/predicates.hpp"
 
 namespace hw {
@@ -100,7 +99,7 @@ bool LineOccluders::hides(const ImageTriangle& triangle, const ImagePoint& point
     const auto [far, near] = std::minmax({a.z, b.z, c.z});
     const double doubt =
         2.0 * ((near - far) * place_error_px_ * reach_of(triangle) / std::abs(area) + kDepthError * near);
-    const bool is_other = triangle.object != line.object || line.vertices[0] == kFreeEnd;
+    const bool is_other = triangle.object != line.object || !line.is_edge;
     if (is_other) return before > point.z * kContactTolerance + doubt;
     return std::abs(before) > doubt ? before > 0.0 : hides_in_doubt(triangle, line, before);
 }

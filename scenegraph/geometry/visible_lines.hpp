@@ -31,18 +31,28 @@ struct LineObject {
     const Seams* seams = nullptr;  ///< Lines that are left out, or null.
     bool is_drawn = true;          ///< False: it only hides others.
     bool hides = true;             ///< False: it is seen through.
+    bool with_intersections = true;  ///< Where it goes through others, it has lines.
     bool is_culled = false;        ///< Faces that look away are not there: they hide nothing and carry no lines.
 };
 
 /// In the order of hw::LineClass of the styles.
 enum class VisibleLineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
 
+inline bool shows_intersections(const LineObject& object)
+{
+    return object.is_drawn && object.with_intersections;
+}
+
+struct IntersectionLine;  // geometry/intersections.hpp
+
 /// Silhouettes and borders are always among the lines.
 struct VisibleLineOptions {
-    bool with_hidden = false;         ///< The hidden parts too, as lines of their own.
-    bool with_creases = true;         ///< Ridges and valleys.
-    bool with_artist = true;          ///< The artist's edges.
-    bool with_intersections = false;  ///< Where objects that are drawn go through each other.
+    bool with_hidden = false;  ///< The hidden parts too, as lines of their own.
+    bool with_creases = true;  ///< Ridges and valleys.
+    bool with_artist = true;   ///< The artist's edges.
+    /// Where objects go through each other: find_intersections() of the same objects, or none. A line belongs to the first
+    /// of its two objects that shows such lines.
+    std::span<const IntersectionLine> intersections;
 };
 
 /// A polyline of the drawing. All of it belongs to one object and class and is visible, or all of it is hidden.
