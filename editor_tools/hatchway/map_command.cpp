@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "hatchway/commands.hpp"
 #include "hatchway/option_rules.hpp"
@@ -10,6 +11,7 @@
 #include "io/images.hpp"
 #include "io/json_out.hpp"
 #include "io/svg_strokes.hpp"
+#include "render/bitmap_strokes.hpp"
 #include "render/hatch_map.hpp"
 #include "render/ink_map.hpp"
 #include "render/tonal_map.hpp"
@@ -26,7 +28,7 @@ struct MapArguments {
     fs::path folder;
     fs::path preview;
     fs::path drawing;
-    std::string method = "strokes";
+    std::string filter = "none";
     InkMapDesc ink;
     HatchMapDesc hatch;
     TonalMapDesc tonal;
@@ -83,24 +85,55 @@ int power_of_two(int texels)
     return result;
 }
 
+/// A drawing's strokes and its height, widths of the drawing.
+struct Drawing {
+    std::vector<MapStroke> strokes;
+    double height_share = 1.0;
+    bool has_priorities = false;
+};
+
+Drawing read_vector_drawing(const fs::path& file)
+{
+    const SvgDrawing svg = read_svg_strokes(file);
+    Drawing drawing{.strokes = {}, .height_share = svg.height_share};
+    for (const SvgStroke& stroke : svg.strokes) {
+        drawing.strokes.push_back({.points = stroke.points, .width = stroke.width, .priority = stroke.priority});
+        for (glm::dvec2& point : drawing.strokes.back().points) point.y /= svg.height_share;
+        drawing.has_priorities = drawing.has_priorities || stroke.has_priority;
+    }
+    return drawing;
+}
+
+Drawing read_bitmap_drawing(const fs::path& file)
+{
+    const Pixels pixels = read_image(file);
+    Drawing drawing{.strokes = strokes_of_bitmap(pixels), .height_share = double(pixels.height) / pixels.width};
+    if (drawing.strokes.empty())
+        throw Error({.what = "no ink", .file = file.string(), .expected = "dark lines on light paper"});
+    return drawing;
+}
+
+Drawing read_drawing(const fs::path& file)
+{
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool is_bitmap = extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+    return is_bitmap ? read_bitmap_drawing(file) : read_vector_drawing(file);
+}
+
 MapLevels ink_map_of(MapArguments& arguments)
 {
-    const SvgDrawing drawing = read_svg_strokes(arguments.drawing);
-    std::vector<MapStroke> strokes;
-    bool has_priorities = false;
-    for (const SvgStroke& stroke : drawing.strokes) {
-        strokes.push_back({.points = stroke.points, .width = stroke.width, .priority = stroke.priority});
-        for (glm::dvec2& point : strokes.back().points) point.y /= drawing.height_share;
-        has_priorities = has_priorities || stroke.has_priority;
-    }
-    if (!has_priorities) rank_evenly(strokes);
+    Drawing drawing = read_drawing(arguments.drawing);
+    if (!drawing.has_priorities) rank_evenly(drawing.strokes);
     arguments.ink.height_texels = power_of_two(static_cast<int>(arguments.ink.width_texels * drawing.height_share * 1.4));
-    const InkMap ink = make_ink_map(strokes, arguments.ink);
+    const InkMap ink = make_ink_map(drawing.strokes, arguments.ink);
+    const MapLevels map = arguments.filter == "minimum" ? filtered_by_minimum(ink.map.levels.front(), arguments.ink.size_m)
+                          : arguments.filter == "box"   ? filtered_by_mean(ink.map.levels.front(), arguments.ink.size_m)
+                                                        : ink.map;
+    if (arguments.filter != "none") return map;
     for (std::size_t i = 0; i < ink.stroke_counts.size(); ++i)
-        fmt::print("level {}: {} of {} strokes\n", i, ink.stroke_counts[i], strokes.size());
-    if (arguments.method == "minimum") return filtered_by_minimum(ink.map.levels.front(), arguments.ink.size_m);
-    if (arguments.method == "mean") return filtered_by_mean(ink.map.levels.front(), arguments.ink.size_m);
-    return ink.map;
+        fmt::print("level {}: {} of {} strokes\n", i, ink.stroke_counts[i], drawing.strokes.size());
+    return map;
 }
 
 void make_map(const MapArguments& arguments, const std::function<MapLevels()>& draw)
@@ -133,13 +166,15 @@ void add_map_command(CLI::App& app)
     hatch->callback([arguments] { make_map(*arguments, [&] { return make_hatch_map(arguments->hatch); }); });
 
     CLI::App* ink = add_kind(*map, "ink", "A drawing, inked anew at every level with the same pen", *arguments);
-    ink->add_option("drawing", arguments->drawing, "SVG file with strokes")->required()->option_text("SVG");
+    ink->add_option("drawing", arguments->drawing, "Strokes in an SVG file, or dark lines in a PNG or JPEG")
+        ->required()
+        ->option_text("SVG|PNG|JPEG");
     ink->add_option("--width", arguments->ink.width_texels, "Texels of the finest level")
         ->check(one_of({"64", "128", "256", "512", "1024", "2048"}));
     ink->add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
     ink->add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface")->check(number_in(0.001, 1000.0));
-    ink->add_option("--method", arguments->method, "strokes; or filtered levels, for comparison: minimum, mean")
-        ->check(one_of({"strokes", "minimum", "mean"}));
+    ink->add_option("--filter", arguments->filter, "none: strokes are inked anew at every level; for comparison: minimum, box")
+        ->check(one_of({"none", "minimum", "box"}));
     ink->callback([arguments] { make_map(*arguments, [&] { return ink_map_of(*arguments); }); });
 
     CLI::App* tonal = add_kind(*map, "tonal", "Tones of nested strokes", *arguments);
