@@ -8,6 +8,7 @@ namespace {
 
 enum Gradient { kNone, kHeight, kObject };
 constexpr std::array<std::string_view, 3> kGradients{"none", "height", "object"};
+constexpr std::array<std::string_view, 4> kHatchSources{"model", "box", "cylinder", "principal"};
 constexpr float kDegree = 0.017453293f;
 constexpr float kCrossDeg = 70.0f;
 
@@ -34,6 +35,9 @@ class Hybrid final : public hw::Style {
         visitor.real({"line_presence", "Share of the lines where the object is photoreal."}, line_presence_, 0.0f, 1.0f);
         visitor.real({"spacing_px", "Between hatching strokes."}, spacing_px_, 2.0f, 64.0f);
         visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
+        visitor.choice({"hatch_direction", "What strokes follow: the model's texture coordinates (a box where it has none), a box, "
+                        "a cylinder, or the direction of strongest curvature.", hw::ParamChange::rebuild}, hatch_source_,
+                       kHatchSources);
         visitor.real({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_deg_, -90.0f, 90.0f);
         visitor.real({"darkness", "Ink coverage of the darkest shadow."}, darkness_, 0.0f, 1.0f);
         visitor.real({"white_from", "Light above which paper stays white."}, white_from_, 0.05f, 1.0f);
@@ -44,7 +48,7 @@ class Hybrid final : public hw::Style {
     {
         hw::Needs needs;
         needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
-        needs.streams = {.tangent = true, .hatch_uv = true};
+        needs.streams = {.tangent = true, .hatch_uv = true, .hatch_source = static_cast<hw::HatchSource>(hatch_source_)};
         needs.shadow = hw::ShadowNeed::main_light;
         needs.lightmap = true;
         return needs;
@@ -109,7 +113,7 @@ class Hybrid final : public hw::Style {
     }
 
     float ink_weight_ = 1.0f, from_m_ = 0.25f, to_m_ = 0.75f;
-    int gradient_ = kObject;
+    int gradient_ = kObject, hatch_source_ = 0;
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f;

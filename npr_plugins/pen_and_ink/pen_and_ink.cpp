@@ -8,6 +8,7 @@ namespace {
 
 enum Tone { kNoTone, kPlain, kShaded };
 constexpr std::array<std::string_view, 3> kTones{"none", "plain", "shaded"};
+constexpr std::array<std::string_view, 4> kHatchSources{"model", "box", "cylinder", "principal"};
 constexpr float kDegree = 0.017453293f;
 
 glm::vec2 direction(float angle_deg) { return {std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree)}; }
@@ -21,6 +22,9 @@ class PenAndInk final : public hw::Style {
                         hw::ParamChange::rebuild}, tone_, kTones);
         visitor.real({"spacing_px", "Between hatching strokes."}, spacing_px_, 2.0f, 64.0f);
         visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
+        visitor.choice({"hatch_direction", "What strokes follow: the model's texture coordinates (a box where it has none), a box, "
+                        "a cylinder, or the direction of strongest curvature.", hw::ParamChange::rebuild}, hatch_source_,
+                       kHatchSources);
         visitor.real({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_deg_, -90.0f, 90.0f);
         visitor.real({"cross_deg", "From the first direction to the one that crosses it."}, cross_deg_, 10.0f, 90.0f);
         visitor.real({"stroke_length_px", "Mean length of strokes; 0 rules endless lines."}, stroke_length_px_, 0.0f, 1000.0f);
@@ -55,6 +59,7 @@ class PenAndInk final : public hw::Style {
         hw::Needs needs;
         needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
         needs.streams.hatch_uv = true;
+        needs.streams.hatch_source = static_cast<hw::HatchSource>(hatch_source_);
         needs.shadow = tone_ == kShaded || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
         needs.lightmap = needs.shadow != hw::ShadowNeed::none;
         if (tone_ == kPlain && !hatch_.value.empty()) needs.maps[hw::MapKind::hatch] = hatch_;
@@ -114,7 +119,7 @@ class PenAndInk final : public hw::Style {
 
     float crease_deg_ = 40.0f, line_width_px_ = 1.2f, silhouette_width_px_ = 1.9f, depth_taper_ = 0.0f;
     bool is_far_thinned_ = true;
-    int tone_ = kShaded;
+    int tone_ = kShaded, hatch_source_ = 0;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, stroke_length_px_ = 90.0f, wobble_px_ = 0.5f;
     float hatch_deg_ = 52.0f, cross_deg_ = 70.0f;
     float darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f, material_tone_ = 0.15f, shade_ = 0.0f;

@@ -35,8 +35,8 @@ class GpuBuffer {
 };
 
 /// Where the vertex shader's inputs stand, in every program (see position.glsl, surface.vert, line.vert).
-enum class VertexInput : std::uint8_t { position, normal, tangent, uv0, uv1, colour, other, lightmap_uv };
-inline constexpr int kVertexInputCount = 8;
+enum class VertexInput : std::uint8_t { position, normal, tangent, uv0, uv1, colour, other, lightmap_uv, hatch, direction };
+inline constexpr int kVertexInputCount = 10;
 
 /// One input's place in a buffer of floats.
 struct VertexStream {

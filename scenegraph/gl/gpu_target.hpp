@@ -14,6 +14,7 @@ struct GpuTargetDesc {
     bool has_depth = true;               ///< With stencil.
     bool is_shadow_map = false;          ///< Depth is a texture with comparison, no stencil, no colours.
     int samples = 1;                     ///< Over 1: colours cannot be sampled, only resolved.
+    bool has_depth_texture = false;      ///< Of one sample: shaders read depth by a sampler2D.
     FilterMode filter = FilterMode::nearest;
 };
 

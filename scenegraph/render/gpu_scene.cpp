@@ -79,7 +79,35 @@ float metres_per_uv(const MeshData& mesh)
     return *middle;
 }
 
-GpuMesh upload_mesh(const MeshData& mesh)
+/// Coordinates as the vertex stage reads them: u, v and the vertex of the model.
+std::vector<glm::vec3> hatch_stream(const HatchCoordinates& hatch)
+{
+    std::vector<glm::vec3> stream;
+    for (std::size_t i = 0; i < hatch.uv.size(); ++i)
+        stream.emplace_back(hatch.uv[i], static_cast<float>(hatch.vertex[i]));
+    return stream;
+}
+
+/// The mesh with its vertices repeated as the coordinates need them.
+MeshData repeated(const MeshData& mesh, const HatchCoordinates& hatch)
+{
+    MeshData result;
+    const auto repeat = [&](const auto& from, auto& to) {
+        if (from.empty()) return;
+        for (const std::uint32_t vertex : hatch.vertex) to.push_back(from[vertex]);
+    };
+    repeat(mesh.positions, result.positions);
+    repeat(mesh.normals, result.normals);
+    repeat(mesh.tangents, result.tangents);
+    repeat(mesh.uv0, result.uv0);
+    repeat(mesh.uv1, result.uv1);
+    repeat(mesh.colours, result.colours);
+    repeat(mesh.lightmap_uv, result.lightmap_uv);
+    result.indices = hatch.indices;
+    return result;
+}
+
+GpuMesh upload_mesh(const MeshData& mesh, const HatchCoordinates* hatch = nullptr)
 {
     namespace f = surface_feature;
     GpuMesh gpu;
@@ -96,6 +124,12 @@ GpuMesh upload_mesh(const MeshData& mesh)
     add_optional(mesh.uv1, VertexInput::uv1, f::kUv1);
     add_optional(mesh.colours, VertexInput::colour, f::kColours);
     if (!mesh.lightmap_uv.empty()) vertices.add(VertexInput::lightmap_uv, &mesh.lightmap_uv[0].x, 2);
+    std::vector<glm::vec3> coordinates;
+    if (hatch != nullptr) {
+        coordinates = hatch_stream(*hatch);
+        vertices.add(VertexInput::hatch, &coordinates[0].x, 3);
+        vertices.add(VertexInput::direction, &hatch->direction[0].x, 3);
+    }
     gpu.vertices = GpuBuffer(vertices.floats());
     gpu.indices = GpuBuffer(mesh.indices);
     gpu.array = GpuVertexArray(vertices.streams(gpu.vertices), &gpu.indices);
@@ -152,6 +186,27 @@ GpuScene::GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps
 {
     for (const MeshData& mesh : scene.meshes) meshes_.push_back(mesh.positions.empty() ? GpuMesh() : upload_mesh(mesh));
     for (const Material& material : scene.materials) materials_.push_back(upload(material));
+}
+
+StreamMesh GpuScene::mesh_of(ObjectId object, const Streams& streams)
+{
+    const int index = scene_.objects[object].mesh;
+    const GpuMesh& own = meshes_[index];
+    const bool has_uv = (own.features & surface_feature::kUv0) != 0;
+    const bool makes_uv = streams.hatch_uv && (streams.hatch_source != HatchSource::model || !has_uv);
+    if (own.index_count == 0 || (!makes_uv && !streams.direction)) return {&own, own.features};
+    HatchSource source = streams.hatch_source;
+    if (source == HatchSource::model) source = streams.direction ? HatchSource::principal : HatchSource::box;
+    const auto [place, is_new] = hatch_meshes_.try_emplace({index, source});
+    if (is_new) {
+        const MeshData& mesh = scene_.meshes[index];
+        const HatchCoordinates hatch = make_hatch_coordinates(mesh, source);
+        place->second = upload_mesh(repeated(mesh, hatch), &hatch);
+    }
+    SurfaceFeatures features = own.features;
+    if (makes_uv) features |= surface_feature::kHatchUv;
+    if (streams.direction) features |= surface_feature::kDirection;
+    return {&place->second, features};
 }
 
 std::uint32_t GpuScene::texture(const TextureUse& use, bool is_srgb)

@@ -9,6 +9,7 @@
 #include "gl/gpu_buffer.hpp"
 #include "gl/gpu_texture.hpp"
 #include "render/program_store.hpp"
+#include "style/needs.hpp"
 #include "world/map_levels.hpp"
 #include "world/scene.hpp"
 
@@ -42,6 +43,12 @@ struct GpuMap {
     glm::vec4 info{1.0f};  ///< hw_hatch_info, hw_ink_info or hw_tonal_info of surface.glsl.
 };
 
+/// A mesh with the streams that a style asks for.
+struct StreamMesh {
+    const GpuMesh* mesh = nullptr;
+    SurfaceFeatures features = 0;  ///< Of the mesh and of the streams.
+};
+
 /// What the device holds of a scene. Meshes are uploaded at once, maps when named, textures with their materials.
 class GpuScene {
  public:
@@ -51,6 +58,10 @@ class GpuScene {
     const GpuMesh& mesh(int index) const { return meshes_[index]; }
     const GpuMaterial& material(int index) const { return materials_[index]; }
     const GpuMesh& mesh_of(ObjectId object) const { return meshes_[scene_.objects[object].mesh]; }
+    /// The object's mesh with `streams`, made when it is not there yet: vertices then stand once for each chart, triangles
+    /// in the same order.
+    StreamMesh mesh_of(ObjectId object, const Streams& streams);
+    int hatch_streams_built() const { return static_cast<int>(hatch_meshes_.size()); }
     const GpuMaterial& material_of(ObjectId object) const { return materials_[scene_.objects[object].material]; }
     const GpuMap& map(int index);
     /// The mesh with loose vertices for triangle ids.
@@ -64,6 +75,7 @@ class GpuScene {
     FilterMode texture_filter_;
     std::vector<const MapLevels*> maps_;
     std::vector<GpuMesh> meshes_;
+    std::map<std::pair<int, HatchSource>, GpuMesh> hatch_meshes_;
     std::vector<GpuMaterial> materials_;
     std::vector<std::optional<GpuMap>> gpu_maps_;
     std::map<std::pair<int, bool>, GpuTexture> textures_;

@@ -10,7 +10,7 @@ namespace hw {
 namespace {
 
 constexpr PipelineState kLineState{
-    .depth_test = DepthTest::less_equal, .writes_depth = false, .blending = Blending::over, .culling = Culling::off};
+    .depth_test = DepthTest::off, .writes_depth = false, .blending = Blending::over, .culling = Culling::off};
 
 Viewpoint viewpoint_of(const View& view)
 {
@@ -116,6 +116,7 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
         colours[i] = linear_from_srgb(look.colour[i]);
     }
     state_.use(*program.gpu);
+    state_.bind_texture(program.gpu->unit("hw_line_depth"), frame.depth_texture);
     GpuProgram::set(program.gpu->location("hw_line_width_px[0]"), std::span<const float>(widths));
     GpuProgram::set(program.gpu->location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
     GpuProgram::set(program.gpu->location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));

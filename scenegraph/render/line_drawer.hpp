@@ -20,6 +20,8 @@ struct LineFrame {
     const View* view = nullptr;
     int samples = 1;
     LinePath path = LinePath::automatic;
+    FaceOffset offset;
+    std::uint32_t depth_texture = 0;  ///< Of the faces, see lay_line_depth().
 };
 
 /// An item whose lines are drawn and where its object stands.
@@ -66,9 +68,5 @@ class LineDrawer {
     std::vector<LineVertex> vertices_;
     LineCounters counters_;
 };
-
-/// The one polygon offset of all faces in the depth that lines are tested against.
-inline constexpr float kFaceOffsetFactor = 1.5f;
-inline constexpr float kFaceOffsetUnits = 4.0f;
 
 }  // namespace hw

@@ -79,6 +79,9 @@ void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledOb
     input.styles = std::move(styles);
     input.objects = std::move(objects);
     edges.prepare(edge_uses());
+    for (ObjectId object = 0; object < input.objects.size(); ++object)
+        for (const int style : {input.objects[object].style, input.objects[object].over})
+            if (style != kNone) gpu.mesh_of(object, needs[style].streams);
 }
 
 std::vector<EdgeUse> LoadedScene::edge_uses() const

@@ -62,7 +62,7 @@ bool has_own_discard(const ShaderText& fragment)
 std::string feature_defines(SurfaceFeatures features)
 {
     namespace f = surface_feature;
-    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 15> kFlags = {{
+    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 17> kFlags = {{
         {f::kUv0, "HW_HAS_UV0"},
         {f::kUv1, "HW_HAS_UV1"},
         {f::kTangents, "HW_HAS_TANGENTS"},
@@ -78,6 +78,8 @@ std::string feature_defines(SurfaceFeatures features)
         {f::kShadow, "HW_SHADOW"},
         {f::kSpotLights, "HW_SPOT_LIGHTS"},
         {f::kLightRanges, "HW_LIGHT_RANGES"},
+        {f::kHatchUv, "HW_HAS_HATCH_UV"},
+        {f::kDirection, "HW_HAS_DIRECTION"},
     }};
     static constexpr std::array<std::pair<int, const char*>, 6> kMaps = {{
         {f::kBaseColourMapBit, "HW_BASE_COLOUR_MAP"},
@@ -213,11 +215,13 @@ const LinkedProgram& ProgramStore::engine(std::string_view vertex_file, std::str
 void ProgramStore::reload()
 {
     std::optional<Error> failure;
+    // The program in use may be among the replaced ones: they go when nothing is compiled any more.
+    std::vector<decltype(Family::variants)> replaced;
     for (const std::unique_ptr<Family>& family : families_) {
         auto fresh = decltype(family->variants)();
         try {
             for (const auto& [features, ignored] : family->variants) fresh[features] = compile(*family, features);
-            family->variants = std::move(fresh);
+            replaced.push_back(std::exchange(family->variants, std::move(fresh)));
         } catch (const Error& error) {
             if (!failure) failure = error;
         }

@@ -44,6 +44,8 @@ inline constexpr int kLightCountBit = 26;
 inline constexpr int kSunCountBit = 30;
 /// Two bits: 0 no baked light, 1 in charts, 2 per vertex.
 inline constexpr int kLightmapBit = 34;
+inline constexpr SurfaceFeatures kHatchUv = SurfaceFeatures(1) << 37;
+inline constexpr SurfaceFeatures kDirection = SurfaceFeatures(1) << 38;
 }  // namespace surface_feature
 
 /// Where a surface program's uniforms stand; -1 where the program does not use one.

@@ -8,6 +8,7 @@
 #include "gl/context.hpp"
 #include "render/frame_plan.hpp"
 #include "render/loaded_scene.hpp"
+#include "render/opaque_faces.hpp"
 #include "render/overlay_drawer.hpp"
 #include "render/style_pass.hpp"
 #include "world/visibility.hpp"
@@ -64,6 +65,7 @@ struct Renderer::State {
     GpuState gpu;
     ProgramStore programs;
     TargetPool pool;
+    GpuQueries queries;
     LineIndices line_indices;
     LineDrawer lines;
     OverlayDrawer overlay;
@@ -117,7 +119,8 @@ void Renderer::State::size_targets(glm::ivec2 size_px, int samples)
 StylePass Renderer::State::pass_of(FrameParts& parts, int style_index, PassStage stage) const
 {
     const Needs& needs = scene->needs[style_index];
-    const StyleLight light{needs.shadow == ShadowNeed::main_light, needs.lightmap && scene->lightmap.has_light()};
+    const StyleLight light{needs.shadow == ShadowNeed::main_light, needs.lightmap && scene->lightmap.has_light(),
+                           needs.streams};
     return {parts, stage, light, scene->style_maps[style_index]};
 }
 
@@ -180,6 +183,7 @@ void Renderer::State::draw_surfaces(const FramePlan& plan, FrameParts& parts)
         }
     };
     draw(PassStage::base, [](const StyleItems& items) -> const std::vector<DrawItem>& { return items.base; });
+    draw_opaque_faces(parts);
     draw(PassStage::over, [](const StyleItems& items) -> const std::vector<DrawItem>& { return items.over; });
 }
 
@@ -233,6 +237,7 @@ void Renderer::State::count(FrameStats& stats, const FrameParts& parts)
     stats.edge_tables_built = scene->edges.line_meshes_built();
     stats.adjacencies_built = scene->edges.surfaces_built();
     stats.lightmaps_uploaded = scene->lightmap.uploaded_count();
+    stats.hatch_streams_built = scene->gpu.hatch_streams_built();
     stats.shadow_maps_drawn = scene->shadow.drawn_count();
     stats.programs_compiled = programs.compiled_count();
 }
@@ -250,7 +255,7 @@ FrameParts Renderer::State::parts_of(const View& view, const FrameOptions& optio
     parts.surfaces = &surfaces;
     parts.lines = &lines;
     parts.edges = &scene->edges;
-    parts.line_frame = {&view, options.samples, options.line_path};
+    parts.line_frame = {&view, options.samples, options.line_path, options.line_offset};
     parts.no_vertices = &no_vertices;
     parts.scene_features = scene->light_features;
     const auto draws_lines = [&](int style_index) {
@@ -261,6 +266,9 @@ FrameParts Renderer::State::parts_of(const View& view, const FrameOptions& optio
                     [&](const StyledObject& object) { return draws_lines(object.style) || draws_lines(object.over); });
     parts.lightmap = &scene->lightmap;
     parts.shadow_texture = scene->shadow.texture();
+    // With one sample the software renderer ends hidden fragments by itself; a GPU does so always.
+    const bool asks = options.skips_hidden && options.samples > 1 && context.device().is_software;
+    parts.queries = asks ? &queries : nullptr;
     return parts;
 }
 

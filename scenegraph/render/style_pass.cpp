@@ -5,11 +5,10 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "render/opaque_faces.hpp"
 
 namespace hw {
 namespace {
-
-constexpr PipelineState kBehindLines{.offset_factor = kFaceOffsetFactor, .offset_units = kFaceOffsetUnits};
 
 TextureFormat texture_format(PixelFormat format)
 {
@@ -30,10 +29,9 @@ TextureFormat texture_format(PixelFormat format)
     return TextureFormat::rgba32f;
 }
 
-PipelineState picture_state(PassStage stage, bool has_lines)
+PipelineState picture_state(PassStage stage)
 {
-    // Blended faces come after the lines and are tested against the depth that those were.
-    PipelineState state = stage == PassStage::blended && has_lines ? kBehindLines : PipelineState{};
+    PipelineState state;
     if (stage == PassStage::over) {
         state.depth_test = DepthTest::equal;
         state.writes_depth = false;
@@ -45,18 +43,6 @@ PipelineState picture_state(PassStage stage, bool has_lines)
         state.blending = Blending::over;
     }
     return state;
-}
-
-std::vector<SurfaceItem> surface_items_of(const FrameParts& frame, std::span<const DrawItem> items,
-                                          const std::map<MapKind, int>& style_maps)
-{
-    std::vector<SurfaceItem> surface_items;
-    surface_items.reserve(items.size());
-    for (const DrawItem& item : items) {
-        const VisibleObject& object = frame.visible->objects[item.slot];
-        surface_items.push_back({&item, &object, choose_maps((*frame.looks)[object.object].maps, style_maps)});
-    }
-    return surface_items;
 }
 
 }  // namespace
@@ -97,9 +83,11 @@ Image StylePass::render(const TargetDesc& target, Program program, const Uniform
 {
     GpuTarget* made = transient(target);
     if (made == nullptr) return {};
-    PipelineState state;
-    if (!target.has_depth) state.depth_test = DepthTest::off;
-    draw_surfaces(program, uniforms, items, state);
+    const FaceCall call = call_of(program, uniforms, items);
+    if (target.has_depth)
+        draw_faces_depth_first(frame_, call);
+    else
+        draw_faces(frame_, call, {.depth_test = DepthTest::off});
     frame_.picture->bind();
     return {made->colour().id(), made->desc().size_px};
 }
@@ -121,37 +109,19 @@ Image StylePass::filter(const TargetDesc& target, Program program, const Uniform
     return {made->colour().id(), made->desc().size_px};
 }
 
+FaceCall StylePass::call_of(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) const
+{
+    return {program, uniforms, {items.begin(), items.end()}, light_, &style_maps_};
+}
+
 void StylePass::surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items)
 {
     if (stage_ == PassStage::images) return;
-    draw_surfaces(program, uniforms, items, picture_state(stage_, frame_.has_lines));
-    if (stage_ == PassStage::base && frame_.has_lines)
-        frame_.drawn_faces.push_back({program, uniforms, {items.begin(), items.end()}, &style_maps_});
-}
-
-void StylePass::draw_surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items,
-                              const PipelineState& state)
-{
-    const std::vector<SurfaceItem> surface_items = surface_items_of(frame_, items, style_maps_);
-    PipelineState face_state = state;
-    // Depth first, so that every pixel is shaded once. What a style cuts out by itself, depth cannot know; and with
-    // several samples the software renderer shades what fails the depth test all the same.
-    const bool is_sampled = stage_ != PassStage::images && frame_.line_frame.samples > 1;
-    if (state.writes_depth && state.depth_test == DepthTest::less && !is_sampled &&
-        !frame_.programs->discards(program)) {
-        frame_.surfaces->draw_depth(state, surface_items, frame_.visible->ranges);
-        face_state.depth_test = DepthTest::equal;
-        face_state.writes_depth = false;
-    }
-    const bool has_shadow = light_.uses_shadow && frame_.shadow_texture != 0;
-    frame_.surfaces->draw({.program = program,
-                           .uniforms = &uniforms,
-                           .state = face_state,
-                           .features = frame_.scene_features | (has_shadow ? surface_feature::kShadow : 0),
-                           .time_s = frame_.view->time_s,
-                           .shadow_texture = has_shadow ? frame_.shadow_texture : 0,
-                           .lightmap = light_.uses_lightmap ? frame_.lightmap : nullptr},
-                          surface_items, frame_.visible->ranges);
+    FaceCall call = call_of(program, uniforms, items);
+    if (stage_ == PassStage::base)
+        frame_.opaque_faces.push_back(std::move(call));
+    else
+        draw_faces(frame_, call, picture_state(stage_), Hidden::left_out);
 }
 
 void StylePass::lines(const LineLook& look, std::span<const DrawItem> items)
@@ -160,26 +130,6 @@ void StylePass::lines(const LineLook& look, std::span<const DrawItem> items)
     std::vector<LineItem> line_items;
     for (const DrawItem& item : items) line_items.push_back({&item, &frame_.visible->objects[item.slot]});
     frame_.lines->draw(frame_.line_frame, look, line_items, *frame_.edges);
-}
-
-void lay_line_depth(FrameParts& frame)
-{
-    frame.picture->clear_depth();
-    PipelineState state = kBehindLines;
-    state.writes_colour = false;
-    for (const DrawnFaces& faces : frame.drawn_faces) {
-        const std::vector<SurfaceItem> items = surface_items_of(frame, faces.items, *faces.style_maps);
-        if (frame.programs->discards(faces.program))
-            frame.surfaces->draw({.program = faces.program,
-                                  .uniforms = &faces.uniforms,
-                                  .state = state,
-                                  .features = frame.scene_features,
-                                  .time_s = frame.view->time_s},
-                                 items, frame.visible->ranges);
-        else
-            frame.surfaces->draw_depth(state, items, frame.visible->ranges);
-    }
-    frame.state->apply({});
 }
 
 }  // namespace hw

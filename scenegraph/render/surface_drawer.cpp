@@ -65,9 +65,10 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
     for (const SurfaceItem& item : items) {
         if (item.object->range_count == 0) continue;
         const Material& material = *item.item->material;
-        const GpuMesh& mesh = scene_.mesh_of(item.object->object);
+        const StreamMesh streamed = scene_.mesh_of(item.object->object, run.streams);
+        const GpuMesh& mesh = *streamed.mesh;
         const GpuMaterial& gpu_material = scene_.material_of(item.object->object);
-        SurfaceFeatures features = run.features | mesh.features | gpu_material.features | map_features(item.maps);
+        SurfaceFeatures features = run.features | streamed.features | gpu_material.features | map_features(item.maps);
         if (has_presence(*item.item)) features |= surface_feature::kPresence;
         if (run.lightmap != nullptr) add_lightmap_feature(*run.lightmap, item.object->object, features);
         const LinkedProgram* program = programs_.surface(run.program, features);
@@ -92,7 +93,7 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
 }
 
 void SurfaceDrawer::draw_depth(const PipelineState& state, std::span<const SurfaceItem> items,
-                               std::span<const IndexRange> ranges)
+                               std::span<const IndexRange> ranges, GpuQueries* queries)
 {
     PipelineState depth_state = state;
     depth_state.writes_colour = false;
@@ -106,7 +107,7 @@ void SurfaceDrawer::draw_depth(const PipelineState& state, std::span<const Surfa
         state_.bind(mesh.array);
         GpuProgram::set(program.at.clip_from_object, item.object->clip_from_object);
         if (features != 0) set_material(program, *item.item, gpu_material);
-        draw_ranges(item, ranges);
+        draw_ranges(item, ranges, queries);
     }
 }
 
@@ -117,10 +118,14 @@ void SurfaceDrawer::apply_faces(PipelineState state, const SurfaceItem& item)
     state_.apply(state);
 }
 
-void SurfaceDrawer::draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges)
+void SurfaceDrawer::draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges, GpuQueries* queries)
 {
-    for (const IndexRange& range : ranges.subspan(item.object->first_range, item.object->range_count))
-        state_.draw_indexed(Primitive::triangles, range.first, range.count);
+    const std::uint32_t first = item.object->first_range;
+    for (std::uint32_t i = first; i < first + item.object->range_count; ++i) {
+        if (queries != nullptr) queries->begin(i);
+        state_.draw_indexed(Primitive::triangles, ranges[i].first, ranges[i].count);
+        if (queries != nullptr) queries->end();
+    }
 }
 
 void SurfaceDrawer::set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s)

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "gl/gpu_queries.hpp"
 #include "gl/gpu_state.hpp"
 #include "render/gpu_lightmap.hpp"
 #include "render/gpu_scene.hpp"
@@ -37,6 +38,7 @@ struct SurfaceRun {
     SurfaceFeatures features = 0;  ///< Added to those of meshes, materials and maps.
     double time_s = 0.0;
     std::uint32_t shadow_texture = 0;
+    Streams streams;                        ///< Beside the meshes' own.
     const GpuLightmap* lightmap = nullptr;  ///< Null: the run reads no baked light.
 };
 
@@ -50,11 +52,13 @@ class SurfaceDrawer {
 
     void draw(const SurfaceRun& run, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges);
     /// Depth alone, at the depths of draw(); alpha masks cut holes. `state` tells what faces; colours are not written.
-    void draw_depth(const PipelineState& state, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges);
+    /// With `queries`, the question of a range's own number is whether the range leaves anything.
+    void draw_depth(const PipelineState& state, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges,
+                    GpuQueries* queries = nullptr);
 
  private:
     void apply_faces(PipelineState state, const SurfaceItem& item);
-    void draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges);
+    void draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges, GpuQueries* queries = nullptr);
     void set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s);
     void set_material(const LinkedProgram& program, const DrawItem& item, const GpuMaterial& material);
     void set_lightmap(const LinkedProgram& program, const GpuLightmap* lightmap, ObjectId object);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
+#include <utility>
 
 #include "render/frame_block.hpp"
 #include "world/visibility.hpp"
@@ -123,6 +124,39 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
     std::sort(result.objects.begin(), result.objects.end(), [](const VisibleObject& a, const VisibleObject& b) {
         return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.object < b.object;
     });
+}
+
+VisibleSet in_pieces(const VisibleSet& whole, std::uint32_t triangles)
+{
+    VisibleSet pieces;
+    pieces.leaves_visible = whole.leaves_visible;
+    const std::uint32_t most = 3 * triangles;
+    for (VisibleObject object : whole.objects) {
+        const std::span<const IndexRange> ranges =
+            std::span(whole.ranges).subspan(object.first_range, object.range_count);
+        object.first_range = static_cast<std::uint32_t>(pieces.ranges.size());
+        for (const IndexRange& range : ranges)
+            for (std::uint32_t done = 0; done < range.count; done += most)
+                pieces.ranges.push_back({range.first + done, std::min(most, range.count - done)});
+        object.range_count = static_cast<std::uint32_t>(pieces.ranges.size()) - object.first_range;
+        pieces.objects.push_back(object);
+    }
+    return pieces;
+}
+
+VisibleSet only_marked(const VisibleSet& pieces, std::span<const std::uint8_t> marks)
+{
+    VisibleSet marked;
+    marked.leaves_visible = pieces.leaves_visible;
+    for (VisibleObject object : pieces.objects) {
+        const std::uint32_t first = object.first_range;
+        const std::uint32_t count = std::exchange(object.range_count, 0);
+        object.first_range = static_cast<std::uint32_t>(marked.ranges.size());
+        for (std::uint32_t i = first; i < first + count; ++i)
+            if (marks[i] != 0) add_range(marked, object, pieces.ranges[i]);
+        marked.objects.push_back(object);
+    }
+    return marked;
 }
 
 }  // namespace hw

@@ -54,6 +54,11 @@ struct VisibilityQuery {
 /// what else is visible, so that pictures do not depend on the PVS.
 void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& result);
 
+/// The same set, its ranges cut into pieces of at most so many triangles.
+VisibleSet in_pieces(const VisibleSet& whole, std::uint32_t triangles);
+/// Those ranges that are marked, one byte for each, joined where they meet. Objects keep their places.
+VisibleSet only_marked(const VisibleSet& pieces, std::span<const std::uint8_t> marks);
+
 /// Places one object for a view; ranges stay empty.
 VisibleObject place_object(const Scene& scene, ObjectId object, const View& view);
 

@@ -30,7 +30,54 @@ TEST_F(frame, a_box_on_a_floor_shows_where_it_should)
     EXPECT_NEAR(pixels.at(160, 230)[2], 230, 2) << "0.8 of linear light is sRGB 230";
     EXPECT_EQ(pixels.at(160, 2)[1], 255) << "the background is paper";
     EXPECT_EQ(stats_.objects_visible, 2);
-    EXPECT_EQ(stats_.triangles, 14u);
+    draw(view_from({0, 1.5, 4}, {0, 0.5, 0}), {.samples = 1});
+    EXPECT_EQ(stats_.triangles, 28u) << "depth, then faces";
+}
+
+TEST_F(frame, objects_that_others_hide_are_left_out_and_no_pixel_changes)
+{
+    add_object(scene_, floor_mesh(10.0f), kHere, painted({0.2f, 0.4f, 0.8f}));
+    add_object(scene_, sphere_mesh(0.4f, 40), at(0, 0.5, -1), painted({0.0f, 1.0f, 0.0f}));
+    add_object(scene_, box_mesh(glm::vec3(1.4f)), at(0, 0.6, 0.5), painted({1.0f, 0.0f, 0.0f}));
+    // At equal depth the last one is seen.
+    add_object(scene_, box_mesh(glm::vec3(1.4f)), at(0, 0.6, 0.5), painted({1.0f, 1.0f, 0.0f}));
+    TestStyle style(glm::vec3(1.0f));
+    style.look = LineLook{};
+    load(style);
+    for (const glm::dvec3& eye : {glm::dvec3(0, 0.8, 4), glm::dvec3(1.1, 0.9, 4), glm::dvec3(3, 2, -2)}) {
+        const View view = view_from(eye, {0, 0.5, 0});
+        const Pixels whole = draw(view, {.skips_hidden = false});
+        const std::uint64_t whole_triangles = stats_.triangles;
+        EXPECT_EQ(whole.bytes, draw(view, {}).bytes);
+        if (eye.x == 0.0) {
+            EXPECT_LT(stats_.triangles, whole_triangles + 100) << "the sphere is asked about, and not drawn";
+        }
+    }
+}
+
+TEST_F(frame, a_style_that_draws_its_objects_twice_shows_both)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted({0.2f, 0.4f, 0.8f}));
+    class Twice final : public Style {
+     public:
+        Needs needs() const override { return {}; }
+        void prepare(ProgramCache& programs) override { program_ = programs.surface("test_flat.frag"); }
+        void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override
+        {
+            for (const glm::vec3& colour : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)}) {
+                Uniforms uniforms;
+                uniforms.set("flat_colour", colour);
+                pass.surfaces(program_, uniforms, items);
+            }
+        }
+
+     private:
+        Program program_;
+    } style;
+    load(style);
+    const Pixels pixels = draw(view_from({0, 0, 4}, {0, 0, 0}));
+    EXPECT_EQ(pixels.at(160, 120)[0], 0) << "the second call lies over the first";
+    EXPECT_GT(pixels.at(160, 120)[1], 100);
 }
 
 TEST_F(frame, flat_styles_build_no_product)

@@ -72,11 +72,16 @@ float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, 
     return hw_line_ink(width, abs((st.x - line) / across + offset));
 }
 
-// The model's texture coordinates run downwards, box-projected ones upwards.
+// The model's texture coordinates run downwards, made ones upwards.
 #ifdef HW_HAS_UV0
-const vec2 kHwUp = vec2(1.0, -1.0);
+const vec2 kHwMapUp = vec2(1.0, -1.0);
 #else
+const vec2 kHwMapUp = vec2(1.0, 1.0);
+#endif
+#ifdef HW_HAS_HATCH_UV
 const vec2 kHwUp = vec2(1.0, 1.0);
+#else
+const vec2 kHwUp = kHwMapUp;
 #endif
 
 // Ink of strokes along `direction` (unit, right and up on the surface).

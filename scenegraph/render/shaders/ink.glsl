@@ -58,8 +58,8 @@ float hw_hatching(HwSurface surface, float light)
 float hw_ink_map_detail(HwSurface surface)
 {
 #ifdef HW_INK_MAP
-    return ink_map_look.x * hw_ink_map_ink(hw_ink_map, hw_ink_info, surface.hatch_uv * kHwUp,
-                                             surface.hatch_uv_dx * kHwUp, surface.hatch_uv_dy * kHwUp, ink_map_look.y);
+    return ink_map_look.x * hw_ink_map_ink(hw_ink_map, hw_ink_info, surface.map_uv * kHwMapUp,
+                                             surface.map_uv_dx * kHwMapUp, surface.map_uv_dy * kHwMapUp, ink_map_look.y);
 #else
     return 0.0;
 #endif

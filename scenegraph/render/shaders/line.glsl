@@ -24,6 +24,9 @@ bool hw_line_is_culled()
     return dot(hw_in_normal, to_eye) < tie && dot(hw_in_tangent, to_eye) < tie;
 }
 
+// Silhouettes and borders: the surface ends or turns away there.
+float hw_line_is_contour(int line_class) { return line_class == 0 || line_class == 3 ? 1.0 : 0.0; }
+
 // Width in pixels at a point of the line: the presence and the far policy thin lines before they fade, so that the round
 // ends of neighbours never show as dots.
 float hw_line_width_at(int line_class, vec3 relative)

@@ -1,13 +1,18 @@
 #include "frame.glsl"
 #include "presence.glsl"
+#include "line_visibility.glsl"
 
 layout(location = 0) out vec4 hw_fragment;
 in float hw_v_height;
 in float hw_v_share;
+in highp vec4 hw_v_middle;
+flat in vec2 hw_v_aside;
 flat in vec4 hw_v_line_colour;
 
 void main()
 {
+    vec3 middle = 0.5 + 0.5 * hw_v_middle.xyz / hw_v_middle.w;
+    if (hw_is_line_hidden(vec3(middle.xy * hw_size_px, middle.z), hw_v_aside)) discard;
     float coverage = hw_v_share;
 #ifdef HW_PRESENCE
     coverage *= hw_presence_at(hw_v_height);

@@ -1,16 +1,23 @@
 #include "frame.glsl"
 #include "presence.glsl"
+#include "line_visibility.glsl"
 
 layout(location = 0) out vec4 hw_fragment;
 in vec3 hw_v_line;
 in vec2 hw_v_line_height;
-flat in float hw_v_line_length;
+flat in vec4 hw_v_line_way;
+flat in highp vec2 hw_v_line_depth;
 flat in vec3 hw_v_line_colour;
 
 void main()
 {
-    float beyond = max(max(-hw_v_line.x, hw_v_line.x - hw_v_line_length), 0.0);
-    float distance_px = length(vec2(beyond, hw_v_line.y));
+    float at = clamp(hw_v_line.x, 0.0, hw_v_line_way.x);
+    vec2 off_middle = vec2(hw_v_line.x - at, hw_v_line.y);
+    vec2 along = hw_v_line_way.yz;
+    vec2 across = vec2(-along.y, along.x);
+    vec2 middle = gl_FragCoord.xy - off_middle.x * along - off_middle.y * across;
+    if (hw_is_line_hidden(vec3(middle, hw_v_line_depth.x + hw_v_line_way.w * at), hw_v_line_depth.y * 0.5 * across)) discard;
+    float distance_px = length(off_middle);
     float half_width = hw_v_line.z;
 #ifdef HW_PRESENCE
     half_width *= hw_presence_at(hw_v_line_height.x / hw_v_line_height.y);

@@ -4,7 +4,8 @@
 
 out vec3 hw_v_line;        // along and across the line, in pixels; z half the width
 out vec2 hw_v_line_height; // world height over w, 1 over w: perspective by hand, since w is 1 below
-flat out float hw_v_line_length;
+flat out vec4 hw_v_line_way;  // x length in pixels, yz direction, w slope of depth along it
+flat out highp vec2 hw_v_line_depth;  // x at its beginning, y 1 for contours
 flat out vec3 hw_v_line_colour;
 
 // Moves `from` along the line until it lies before the near plane. False where the whole line is behind.
@@ -29,7 +30,8 @@ void main()
     hw_v_line_colour = hw_line_colour[line_class];
     hw_v_line = vec3(0.0);
     hw_v_line_height = vec2(0.0);
-    hw_v_line_length = 0.0;
+    hw_v_line_way = vec4(0.0);
+    hw_v_line_depth = vec2(0.0);
     bool is_seen = hw_clip_near(own, other) && hw_clip_near(other, own);
     vec3 relative = (hw_relative_from_object * vec4(hw_in_position, 1.0)).xyz;
     if (own != own_unclipped) {
@@ -54,7 +56,11 @@ void main()
     float reach = 0.5 * widest + 1.0;
     vec2 place = own_px - along * reach + vec2(-along.y, along.x) * (side * reach);
     hw_v_line = vec3(mix(-reach, length_px + reach, is_end), side * mix(reach, -reach, is_end), 0.5 * width);
-    hw_v_line_length = length_px;
+    // Of the two ends, the first is the beginning.
+    vec2 depth = 0.5 + 0.5 * vec2(own.z / own.w, other.z / other.w);
+    if (corner >= 2) depth = depth.yx;
+    hw_v_line_depth = vec2(depth.x, hw_line_is_contour(line_class));
+    hw_v_line_way = vec4(length_px, corner < 2 ? along : -along, (depth.y - depth.x) / max(length_px, 1e-6));
     hw_v_line_height = vec2(relative.y + hw_eye_world.y, 1.0) / own.w;
     gl_Position = vec4(place / half_size, own.z / own.w, 1.0);
 }

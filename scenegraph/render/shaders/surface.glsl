@@ -9,6 +9,7 @@
 //
 // The host compiles a program once for each combination of material features that the scene has, by defines:
 //   HW_HAS_UV0 HW_HAS_UV1 HW_HAS_TANGENTS HW_HAS_COLOURS          vertex streams of the mesh
+//   HW_HAS_HATCH_UV HW_HAS_DIRECTION                               streams that the style asked for
 //   HW_BASE_COLOUR_MAP HW_METALLIC_ROUGHNESS_MAP HW_NORMAL_MAP HW_OCCLUSION_MAP HW_EMISSIVE_MAP   textures of the material
 //   HW_ALPHA_MASK HW_ALPHA_BLEND HW_DOUBLE_SIDED HW_UNLIT          other features of the material
 //   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP                           the object has a map of that kind: hw_hatch_map ...
@@ -37,6 +38,12 @@ in vec2 hw_v_uv1;
 #endif
 #ifdef HW_HAS_COLOURS
 in vec4 hw_v_colour;
+#endif
+#ifdef HW_HAS_HATCH_UV
+in vec2 hw_v_hatch_uv;
+#endif
+#ifdef HW_HAS_DIRECTION
+in vec3 hw_v_direction_world;
 #endif
 
 uniform float hw_certainty;         // of the level, in [0, 1]
@@ -86,9 +93,13 @@ struct HwSurface {
     vec3 face_normal_world;  // unit, of the triangle, towards the eye
     vec2 uv0;             // 0 where the mesh has none
     vec2 uv1;
-    vec2 hatch_uv;        // about metres: uv0 scaled, or box-projected object space where the mesh has no uv0
-    vec2 hatch_uv_dx;     // derivatives of hatch_uv along the picture's x and y, free of the jumps of box projection
+    vec2 hatch_uv;        // about metres: where strokes are; uv0 scaled, or as Streams::hatch_source says
+    vec2 hatch_uv_dx;     // derivatives of hatch_uv along the picture's x and y
     vec2 hatch_uv_dy;
+    vec2 map_uv;          // about metres: where drawn maps are; uv0 scaled, else hatch_uv
+    vec2 map_uv_dx;
+    vec2 map_uv_dy;
+    vec3 direction_world;  // unit, along the surface where u of hatch_uv rises; 0 where the style asks for none
     vec4 colour;          // of the vertex, linear; 1 where the mesh has none
     vec3 to_eye_world;    // unit
     float distance_m;     // from the eye
@@ -103,28 +114,6 @@ struct HwMaterial {
     float occlusion;      // 1: open
     vec3 normal_world;    // unit, with the normal map
 };
-
-// Picks the axis of box projection. The slight preference decides 45 degree faces the same way in all of their pixels.
-void hw_box_projection(inout HwSurface s)
-{
-    vec3 p = s.position_object * hw_hatch_scale.y;
-    vec3 dx = dFdx(p);
-    vec3 dy = dFdy(p);
-    vec3 n = abs(s.normal_object) * vec3(1.0, 1.02, 1.01);
-    if (n.y >= n.x && n.y >= n.z) {
-        s.hatch_uv = p.xz;
-        s.hatch_uv_dx = dx.xz;
-        s.hatch_uv_dy = dy.xz;
-    } else if (n.z >= n.x) {
-        s.hatch_uv = p.xy;
-        s.hatch_uv_dx = dx.xy;
-        s.hatch_uv_dy = dy.xy;
-    } else {
-        s.hatch_uv = p.zy;
-        s.hatch_uv_dx = dx.zy;
-        s.hatch_uv_dy = dy.zy;
-    }
-}
 
 HwSurface hw_surface()
 {
@@ -153,12 +142,27 @@ HwSurface hw_surface()
 #endif
 #ifdef HW_HAS_UV0
     s.uv0 = hw_v_uv0;
-    s.hatch_uv = hw_v_uv0 * hw_hatch_scale.x;
-    s.hatch_uv_dx = dFdx(s.hatch_uv);
-    s.hatch_uv_dy = dFdy(s.hatch_uv);
+    s.map_uv = hw_v_uv0 * hw_hatch_scale.x;
 #else
     s.uv0 = vec2(0.0);
-    hw_box_projection(s);
+    s.map_uv = vec2(0.0);
+#endif
+#ifdef HW_HAS_HATCH_UV
+    s.hatch_uv = hw_v_hatch_uv * hw_hatch_scale.y;
+#else
+    s.hatch_uv = s.map_uv;
+#endif
+#ifndef HW_HAS_UV0
+    s.map_uv = s.hatch_uv;
+#endif
+    s.hatch_uv_dx = dFdx(s.hatch_uv);
+    s.hatch_uv_dy = dFdy(s.hatch_uv);
+    s.map_uv_dx = dFdx(s.map_uv);
+    s.map_uv_dy = dFdy(s.map_uv);
+#ifdef HW_HAS_DIRECTION
+    s.direction_world = hw_v_direction_world * inversesqrt(max(dot(hw_v_direction_world, hw_v_direction_world), 1e-30));
+#else
+    s.direction_world = vec3(0.0);
 #endif
     return s;
 }

@@ -25,6 +25,20 @@ in vec4 hw_in_colour;
 out vec4 hw_v_colour;
 #endif
 
+#if defined(HW_HAS_HATCH_UV) || defined(HW_HAS_DIRECTION)
+in vec3 hw_in_hatch;  // u, v, vertex of the model
+#define HW_VERTEX int(hw_in_hatch.z + 0.5)
+#else
+#define HW_VERTEX gl_VertexID
+#endif
+#ifdef HW_HAS_HATCH_UV
+out vec2 hw_v_hatch_uv;
+#endif
+#ifdef HW_HAS_DIRECTION
+in vec3 hw_in_direction;
+out vec3 hw_v_direction_world;
+#endif
+
 #ifdef HW_LIGHTMAP
 #if HW_LIGHTMAP == 1
 in vec2 hw_in_lightmap_uv;
@@ -40,7 +54,7 @@ out vec3 hw_v_baked_back;
 vec3 hw_vertex_luxel(int further)
 {
     int width = textureSize(hw_lightmap, 0).x;
-    int at = int(hw_lightmap_place.y) * width + int(hw_lightmap_place.x) + gl_VertexID + further;
+    int at = int(hw_lightmap_place.y) * width + int(hw_lightmap_place.x) + HW_VERTEX + further;
     return texelFetch(hw_lightmap, ivec2(at % width, at / width), 0).rgb;
 }
 #endif
@@ -70,6 +84,12 @@ void main()
 #endif
 #ifdef HW_HAS_COLOURS
     hw_v_colour = hw_in_colour;
+#endif
+#ifdef HW_HAS_HATCH_UV
+    hw_v_hatch_uv = hw_in_hatch.xy;
+#endif
+#ifdef HW_HAS_DIRECTION
+    hw_v_direction_world = mat3(hw_relative_from_object) * hw_in_direction;
 #endif
 #ifdef HW_LIGHTMAP
 #if HW_LIGHTMAP == 1

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/frame_parts.hpp"
+
+namespace hw {
+
+/// What becomes of objects that are known to be hidden in the picture.
+enum class Hidden : std::uint8_t { drawn, left_out };
+
+/// Draws the faces of one call into the bound target.
+void draw_faces(const FrameParts& frame, const FaceCall& call, const PipelineState& state,
+                Hidden hidden = Hidden::drawn);
+
+/// The same into a target with a clear depth: depth first, so that every pixel is shaded once.
+void draw_faces_depth_first(const FrameParts& frame, const FaceCall& call);
+
+/// Draws `frame.opaque_faces` into the picture, which is clear: depth of all of them first, so that every pixel is
+/// shaded once, whichever style covers it. At equal depth the last call, and in it the last item, is seen.
+void draw_opaque_faces(FrameParts& frame);
+
+/// Lays the depth of all opaque faces anew, behind the faces by the one polygon offset, into a texture of one sample
+/// that lines look their visibility up in: frame.line_frame.depth_texture. The picture's own depth stays as it is: an
+/// offset that grows with the slope would let the upright side of a slab shine through the floor beside it.
+void lay_line_depth(FrameParts& frame);
+
+}  // namespace hw
