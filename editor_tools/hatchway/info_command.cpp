@@ -5,6 +5,8 @@
 
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/hatch_info.hpp"
+#include "hatchway/option_rules.hpp"
 #include "hatchway/output_files.hpp"
 #include "hatchway/scene_surfaces.hpp"
 #include "io/json_out.hpp"
@@ -18,6 +20,7 @@ struct InfoArguments {
     std::filesystem::path json;
     std::filesystem::path cache;
     bool has_nodes = false;
+    std::string hatch = kModelHatching;
 };
 
 /// Sums over meshes, each counted once however often it is used.
@@ -123,9 +126,14 @@ void info(const InfoArguments& arguments)
         open_world(level, &visibility, BakedLight::unwanted, arguments.cache.empty() ? nullptr : &cache);
     require_unread(outputs);
     const MeshTotals totals = totals_of(scene_surfaces(world->scene));
+    const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
     print_info(*world, totals);
+    std::cout << hatch_text(hatching);
     if (arguments.has_nodes) print_nodes(world->scene);
-    if (!arguments.json.empty()) write_json(arguments.json, info_json(*world, totals));
+    if (arguments.json.empty()) return;
+    JsonValue json = info_json(*world, totals);
+    add_hatch_json(hatching, json);
+    write_json(arguments.json, json);
 }
 
 }  // namespace
@@ -136,6 +144,9 @@ void add_info_command(CLI::App& app)
     CLI::App* command = app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
     command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
     command->add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
+    command->add_option("--hatch", arguments->hatch,
+                        "What strokes follow: model (a box for meshes without texture coordinates), box, cylinder, principal")
+        ->check(one_of({"model", "box", "cylinder", "principal"}));
     add_cache_argument(*command, arguments->cache);
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { info(*arguments); });

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/limits.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/map_preview.hpp"
 #include "hatchway/option_rules.hpp"
 #include "hatchway/output_files.hpp"
 #include "io/images.hpp"
@@ -34,24 +35,6 @@ struct MapArguments {
     TonalMapDesc tonal;
 };
 
-/// All levels below each other, coarse ones enlarged to the width of the finest, so that their pens can be compared.
-Pixels preview_of(const MapLevels& map)
-{
-    const int width = map.levels.front().width;
-    Pixels sheet{.width = width, .height = 0, .channels = 1};
-    for (const Pixels& level : map.levels) {
-        if (level.width < 4) break;
-        const int scale = std::max(width / level.width, 1);
-        const int rows = map.kind == MapKind::hatch ? 24 : level.height * scale;
-        for (int y = 0; y < rows; ++y)
-            for (int x = 0; x < width; ++x)
-                sheet.bytes.push_back(*level.at(std::min(x / scale, level.width - 1),
-                                                map.kind == MapKind::hatch ? 0 : y / scale));
-        sheet.height += rows;
-    }
-    return sheet;
-}
-
 fs::path level_file(const fs::path& folder, std::size_t level) { return folder / fmt::format("level_{}.png", level); }
 
 void check_outputs(const MapArguments& arguments)
@@ -67,6 +50,7 @@ void check_outputs(const MapArguments& arguments)
 
 void write_map(const MapLevels& map, const MapArguments& arguments)
 {
+    const Pixels preview = arguments.preview.empty() ? Pixels() : map_preview(map);
     make_folder(arguments.folder);
     for (std::size_t i = 0; i < map.levels.size(); ++i) write_png(level_file(arguments.folder, i), map.levels[i]);
     constexpr const char* kKinds[] = {"hatch", "ink", "tonal"};
@@ -75,7 +59,7 @@ void write_map(const MapLevels& map, const MapArguments& arguments)
     json.set("levels", static_cast<int>(map.levels.size())).set("size_m", map.size_m);
     if (map.kind == MapKind::hatch) json.set("spacing_texels", map.spacing_texels);
     write_json(arguments.folder / kMapFile, json);
-    if (!arguments.preview.empty()) write_png(arguments.preview, preview_of(map));
+    if (!arguments.preview.empty()) write_png(arguments.preview, preview);
 }
 
 int power_of_two(int texels)
@@ -146,7 +130,7 @@ CLI::App* add_kind(CLI::App& map, const std::string& name, const std::string& he
 {
     CLI::App* kind = map.add_subcommand(name, help);
     kind->add_option("--out", arguments.folder, "Folder of the map: level_0.png, level_1.png, ... and map.json")->required();
-    kind->add_option("--preview", arguments.preview, "PNG that shows all levels, coarse ones enlarged");
+    kind->add_option("--preview", arguments.preview, "PNG that shows all levels, and a plane in perspective that the map covers");
     return kind;
 }
 
