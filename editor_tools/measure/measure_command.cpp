@@ -12,7 +12,9 @@ void add_measure_command(CLI::App& app)
     add_measure_bsp(*measure);
     add_measure_frame(*measure);
     add_measure_lightmap(*measure);
+    add_measure_lines(*measure);
     add_measure_pvs(*measure);
+    add_measure_scale(*measure);
     add_measure_silhouettes(*measure);
 }
 

@@ -12,7 +12,9 @@ namespace hw {
 void add_measure_bsp(CLI::App& measure);
 void add_measure_frame(CLI::App& measure);
 void add_measure_lightmap(CLI::App& measure);
+void add_measure_lines(CLI::App& measure);
 void add_measure_pvs(CLI::App& measure);
+void add_measure_scale(CLI::App& measure);
 void add_measure_silhouettes(CLI::App& measure);
 
 }  // namespace hw
