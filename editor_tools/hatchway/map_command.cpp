@@ -33,6 +33,7 @@ struct MapArguments {
     InkMapDesc ink;
     HatchMapDesc hatch;
     TonalMapDesc tonal;
+    bool has_priorities = false;
 };
 
 fs::path level_file(const fs::path& folder, std::size_t level) { return folder / fmt::format("level_{}.png", level); }
@@ -164,13 +165,17 @@ void add_map_command(CLI::App& app)
     CLI::App* tonal = add_kind(*map, "tonal", "Tones of nested strokes", *arguments);
     TonalMapDesc& desc = arguments->tonal;
     tonal->add_option("--width", desc.size_texels, "Texels of one tone")->check(one_of({"64", "128", "256", "512"}));
+    tonal->add_option("--tones", desc.tones, "How many tones")->check(whole_number_in(2, 32));
+    tonal->add_flag("--priority", arguments->has_priorities, "One map of the tone at which each texel turns to ink: for halftone");
     tonal->add_option("--pen", desc.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
     tonal->add_option("--length", desc.length_share, "Length of strokes, of the map's width")->check(number_in(0.05, 1.0));
     tonal->add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray")->check(number_in(0.0, 45.0));
     tonal->add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes")->check(number_in(0.0, 90.0));
     tonal->add_option("--size-m", desc.size_m, "Width of one tone on a surface")->check(number_in(0.001, 1000.0));
     tonal->add_option("--seed", desc.seed, "Of all that is random")->check(whole_number_in(0, UINT32_MAX));
-    tonal->callback([arguments] { make_map(*arguments, [&] { return make_tonal_map(arguments->tonal); }); });
+    tonal->callback([arguments] { make_map(*arguments, [&] {
+            return arguments->has_priorities ? make_priority_map(arguments->tonal) : make_tonal_map(arguments->tonal);
+        }); });
 }
 
 }  // namespace hw

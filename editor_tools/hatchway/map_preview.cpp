@@ -69,7 +69,9 @@ Scene ground(float side_m)
 
 ParamSettings style_settings(const MapLevels& map)
 {
-    const char* tone = map.kind == MapKind::hatch ? "plain" : map.kind == MapKind::tonal ? "shaded" : "none";
+    const Pixels& finest = map.levels.front();
+    const char* shaded = finest.width == finest.height ? "halftone" : "shaded";
+    const char* tone = map.kind == MapKind::hatch ? "plain" : map.kind == MapKind::tonal ? shaded : "none";
     ParamSettings settings;
     settings["tone"] = {std::string(tone), ""};
     settings["spacing_px"] = {std::max(map.spacing_texels, 2.0), ""};
@@ -77,13 +79,15 @@ ParamSettings style_settings(const MapLevels& map)
     settings["line_width_px"] = {0.0, ""};
     settings["silhouette_width_px"] = {0.0, ""};
     settings["ink_map_detail"] = {0.0, ""};
+    settings["light_response"] = {0.0, ""};
+    settings["material_tone"] = {0.0, ""};
     return settings;
 }
 
 /// The ground from where a texel of the finest level is about a pixel at the lower edge of the picture.
 Pixels plane_picture(const MapLevels& map)
 {
-    const double texels = map.levels.front().width * (map.kind == MapKind::tonal ? 1.0 / 6.0 : 1.0);
+    const double texels = map.kind == MapKind::tonal ? map.levels.front().height : map.levels.front().width;
     const double near_m = map.size_m / texels * 0.5 * kPlaneHeight / std::tan(glm::radians(0.5 * kFovDeg));
     const Scene scene = ground(static_cast<float>(near_m * 800.0));
     const PluginRegistry plugins;

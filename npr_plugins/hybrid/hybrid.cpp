@@ -42,6 +42,12 @@ class Hybrid final : public hw::Style {
         visitor.real({"darkness", "Ink coverage of the darkest shadow."}, darkness_, 0.0f, 1.0f);
         visitor.real({"white_from", "Light above which paper stays white."}, white_from_, 0.05f, 1.0f);
         visitor.real({"shadow_below", "Light below which hatching is darkest."}, shadow_below_, 0.0f, 0.95f);
+        visitor.real({"light_response", "How much light and shadow change the tone; 0 hatches evenly, half dark."}, light_response_,
+                     0.0f, 1.0f);
+        visitor.real({"material_tone", "How much dark materials darken the hatching."}, material_tone_, 0.0f, 1.0f);
+        visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the tint."}, uncertain_);
+        visitor.real({"paper_from_material", "Share of the material's colour in the paper's."}, paper_from_material_, 0.0f, 1.0f);
+        visitor.real({"ink_from_material", "Share of the material's colour in the hatching's."}, ink_from_material_, 0.0f, 1.0f);
     }
 
     hw::Needs needs() const override
@@ -56,7 +62,7 @@ class Hybrid final : public hw::Style {
 
     void prepare(hw::ProgramCache& programs) override
     {
-        program_ = programs.surface("hybrid.frag", "#define TONE_SHADED 1\n");
+        program_ = programs.surface("hybrid.frag", "#define TONE_SHADED 1\n#define MATERIAL_COLOUR 1\n");
     }
 
     void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
@@ -68,12 +74,14 @@ class Hybrid final : public hw::Style {
                 .set("ink_weight", ink_weight_)
                 .set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, 90.0f, 0.5f))
                 .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + kCrossDeg)))
-                .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, 0.15f))
+                .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, material_tone_))
                 .set("paper_colour", hw::linear_colour(tint_))
-                .set("uncertain_colour", hw::linear_colour(tint_))
+                .set("uncertain_colour", hw::linear_colour(uncertain_))
                 .set("ink_colour", hw::linear_colour(hatch_ink_))
-                .set("from_material", glm::vec2(0.0f))
+                .set("from_material", glm::vec2(paper_from_material_, ink_from_material_))
                 .set("shade", 0.0f)
+                .set("light_response", light_response_)
+                .set("ink_fade", glm::vec3(0.0f))
                 .set("ink_map_look", glm::vec2(1.0f, 0.7f));
             pass.surfaces(program_, uniforms, {&item, 1});
         }
@@ -117,6 +125,8 @@ class Hybrid final : public hw::Style {
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f;
+    float light_response_ = 1.0f, material_tone_ = 0.15f, paper_from_material_ = 0.0f, ink_from_material_ = 0.0f;
+    glm::vec3 uncertain_{1.0f};
     hw::Program program_;
 };
 

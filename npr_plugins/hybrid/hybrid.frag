@@ -2,6 +2,7 @@
 #include "shadow.glsl"
 #include "lighting.glsl"
 #include "hatch.glsl"
+#include "halftone.glsl"
 #include "ink.glsl"
 
 uniform vec3 ink_range;    // height where ink begins, where it has risen, 1 when there is a gradient

@@ -6,8 +6,11 @@
 
 namespace {
 
-enum Tone { kNoTone, kPlain, kShaded };
-constexpr std::array<std::string_view, 3> kTones{"none", "plain", "shaded"};
+enum Tone { kNoTone, kPlain, kShaded, kHalftone };
+enum Fade { kNoFade, kHeight, kObject };
+constexpr std::array<std::string_view, 4> kTones{"none", "plain", "shaded", "halftone"};
+constexpr std::array<std::string_view, 3> kFades{"none", "height", "object"};
+constexpr const char* kHalftoneMap = "halftone";
 constexpr std::array<std::string_view, 4> kHatchSources{"model", "box", "cylinder", "principal"};
 constexpr float kDegree = 0.017453293f;
 
@@ -18,7 +21,8 @@ class PenAndInk final : public hw::Style {
     void visit_params(hw::ParamVisitor& visitor) override
     {
         visit_lines(visitor);
-        visitor.choice({"tone", "What fills faces: nothing, even hatching by the hatch map, or hatching by light and shadow.",
+        visitor.choice({"tone", "What fills faces: nothing, even hatching by the hatch map, hatching by light and "
+                        "shadow, or the same by a threshold over a priority map.",
                         hw::ParamChange::rebuild}, tone_, kTones);
         visitor.real({"spacing_px", "Between hatching strokes."}, spacing_px_, 2.0f, 64.0f);
         visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
@@ -33,6 +37,14 @@ class PenAndInk final : public hw::Style {
         visitor.real({"white_from", "Light above which paper stays white."}, white_from_, 0.05f, 1.0f);
         visitor.real({"shadow_below", "Light below which hatching is darkest."}, shadow_below_, 0.0f, 0.95f);
         visitor.real({"material_tone", "How much dark materials darken the hatching."}, material_tone_, 0.0f, 1.0f);
+        visitor.real({"light_response", "How much light and shadow change the tone; 0 hatches evenly, half dark."}, light_response_,
+                     0.0f, 1.0f);
+        visitor.choice({"fade", "Where hatching fades: nowhere, between two heights, or from the object's foot to its top."},
+                       fade_, kFades);
+        visitor.real({"fade_from_m", "Height where hatching begins to fade, metres; of fade object: share of its height."},
+                     fade_from_m_, -1000.0f, 1000.0f);
+        visitor.real({"fade_to_m", "Height where hatching is gone, metres; of fade object: share of its height."}, fade_to_m_,
+                     -1000.0f, 1000.0f);
         visitor.real({"shade", "Smooth gray shade under the ink."}, shade_, 0.0f, 1.0f);
         visitor.colour({"paper_colour", "Colour of faces."}, paper_);
         visitor.colour({"ink_colour", "Colour of lines."}, ink_);
@@ -45,7 +57,7 @@ class PenAndInk final : public hw::Style {
         visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the paper's colour."}, uncertain_);
         visitor.map({"hatch", "Hatch map of tone plain, where the level assigns none.", hw::ParamChange::rebuild}, hatch_,
                     hw::MapKind::hatch);
-        visitor.map({"tonal", "Tonal map that hatches by light in place of strokes that are reckoned.", hw::ParamChange::rebuild},
+        visitor.map({"tonal", "Tonal map that hatches by light in place of strokes that are reckoned; of tone halftone a priority map.", hw::ParamChange::rebuild},
                     tonal_, hw::MapKind::tonal);
         visitor.map({"ink", "Ink map: drawn detail such as courses of stone.", hw::ParamChange::rebuild}, ink_map_,
                     hw::MapKind::ink);
@@ -60,10 +72,11 @@ class PenAndInk final : public hw::Style {
         needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
         needs.streams.hatch_uv = true;
         needs.streams.hatch_source = static_cast<hw::HatchSource>(hatch_source_);
-        needs.shadow = tone_ == kShaded || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
+        needs.shadow = is_shaded() || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
         needs.lightmap = needs.shadow != hw::ShadowNeed::none;
         if (tone_ == kPlain && !hatch_.value.empty()) needs.maps[hw::MapKind::hatch] = hatch_;
-        if (tone_ == kShaded && !tonal_.value.empty()) needs.maps[hw::MapKind::tonal] = tonal_;
+        if (is_shaded() && !tonal_.value.empty()) needs.maps[hw::MapKind::tonal] = tonal_;
+        if (tone_ == kHalftone && tonal_.value.empty()) needs.maps[hw::MapKind::tonal] = hw::MapName{kHalftoneMap};
         if (!ink_map_.value.empty()) needs.maps[hw::MapKind::ink] = ink_map_;
         return needs;
     }
@@ -72,24 +85,23 @@ class PenAndInk final : public hw::Style {
     {
         std::string defines;
         if (tone_ == kPlain) defines += "#define TONE_PLAIN 1\n";
-        if (tone_ == kShaded) defines += "#define TONE_SHADED 1\n";
+        if (is_shaded()) defines += "#define TONE_SHADED 1\n";
+        if (tone_ == kHalftone) defines += "#define TONE_HALFTONE 1\n";
         if (paper_from_material_ > 0.0f || ink_from_material_ > 0.0f) defines += "#define MATERIAL_COLOUR 1\n";
         program_ = programs.surface("pen_and_ink.frag", defines);
     }
 
     void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
     {
-        hw::Uniforms uniforms;
-        uniforms.set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, stroke_length_px_, wobble_px_))
-            .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + cross_deg_)))
-            .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, material_tone_))
-            .set("paper_colour", hw::linear_colour(paper_))
-            .set("ink_colour", hw::linear_colour(hatch_ink_))
-            .set("uncertain_colour", hw::linear_colour(uncertain_))
-            .set("from_material", glm::vec2(paper_from_material_, ink_from_material_))
-            .set("shade", shade_)
-            .set("ink_map_look", glm::vec2(ink_map_strength_, ink_map_detail_));
-        pass.surfaces(program_, uniforms, items);
+        if (fade_ != kObject) {
+            draw(pass, {fade_from_m_, fade_to_m_}, items);
+            return;
+        }
+        for (const hw::DrawItem& item : items) {
+            const auto foot = static_cast<float>(item.bounds_world.min.y);
+            const float height = item.bounds_world.is_empty() ? 1.0f : static_cast<float>(item.bounds_world.size().y);
+            draw(pass, {foot + fade_from_m_ * height, foot + fade_to_m_ * height}, {&item, 1});
+        }
     }
 
     void lines(hw::Pass& pass, std::span<const hw::DrawItem> items) override
@@ -107,6 +119,25 @@ class PenAndInk final : public hw::Style {
     }
 
  private:
+    bool is_shaded() const { return tone_ == kShaded || tone_ == kHalftone; }
+
+    void draw(hw::Pass& pass, const glm::vec2& fade, std::span<const hw::DrawItem> items)
+    {
+        hw::Uniforms uniforms;
+        uniforms.set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, stroke_length_px_, wobble_px_))
+            .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + cross_deg_)))
+            .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, material_tone_))
+            .set("paper_colour", hw::linear_colour(paper_))
+            .set("ink_colour", hw::linear_colour(hatch_ink_))
+            .set("uncertain_colour", hw::linear_colour(uncertain_))
+            .set("from_material", glm::vec2(paper_from_material_, ink_from_material_))
+            .set("shade", shade_)
+            .set("light_response", light_response_)
+            .set("ink_fade", glm::vec3(fade, fade_ == kNoFade ? 0.0f : 1.0f))
+            .set("ink_map_look", glm::vec2(ink_map_strength_, ink_map_detail_));
+        pass.surfaces(program_, uniforms, items);
+    }
+
     void visit_lines(hw::ParamVisitor& visitor)
     {
         visitor.real({"crease_deg", "Edges folded by more than this are drawn from every viewpoint.",
@@ -119,7 +150,8 @@ class PenAndInk final : public hw::Style {
 
     float crease_deg_ = 40.0f, line_width_px_ = 1.2f, silhouette_width_px_ = 1.9f, depth_taper_ = 0.0f;
     bool is_far_thinned_ = true;
-    int tone_ = kShaded, hatch_source_ = 0;
+    int tone_ = kShaded, hatch_source_ = 0, fade_ = kNoFade;
+    float light_response_ = 1.0f, fade_from_m_ = 0.5f, fade_to_m_ = 1.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, stroke_length_px_ = 90.0f, wobble_px_ = 0.5f;
     float hatch_deg_ = 52.0f, cross_deg_ = 70.0f;
     float darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f, material_tone_ = 0.15f, shade_ = 0.0f;

@@ -2,6 +2,7 @@
 #include "shadow.glsl"
 #include "lighting.glsl"
 #include "hatch.glsl"
+#include "halftone.glsl"
 #include "ink.glsl"
 
 void main()

@@ -142,4 +142,21 @@ MapLevels make_tonal_map(const TonalMapDesc& desc)
     return map;
 }
 
+MapLevels make_priority_map(const TonalMapDesc& desc)
+{
+    MapLevels map = make_tonal_map(desc);
+    for (Pixels& level : map.levels) {
+        const int size = level.height;
+        Pixels priorities{.width = size, .height = size, .channels = 1};
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                int sum = 0;
+                for (int tone = 0; tone < desc.tones; ++tone) sum += *level.at(tone * size + x, y);
+                priorities.bytes.push_back(static_cast<std::uint8_t>((sum + desc.tones / 2) / desc.tones));
+            }
+        level = std::move(priorities);
+    }
+    return map;
+}
+
 }  // namespace hw

@@ -25,4 +25,9 @@ struct TonalMapDesc {
 /// Finkelstein. Real-Time Hatching. SIGGRAPH 2001, section 3.
 MapLevels make_tonal_map(const TonalMapDesc& desc);
 
+/// A priority map: one square whose values say at which tone each texel turns to ink, from the nested tones of
+/// make_tonal_map(): 0 in all of them, 255 in none. Priorities are spread evenly, so that a threshold gives the tone.
+/// A tonal map of a single tone. Source: Freudenberg, Masuch, Strothotte. Real-Time Halftoning. EGWR 2002.
+MapLevels make_priority_map(const TonalMapDesc& desc);
+
 }  // namespace hw
