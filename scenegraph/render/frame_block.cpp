@@ -30,6 +30,7 @@ struct FrameBlock {
 // so that shade stays readable in every scene.
 constexpr glm::vec3 kSkyShare{0.30f, 0.33f, 0.38f};
 constexpr glm::vec3 kGroundShare{0.17f, 0.15f, 0.13f};
+constexpr glm::vec3 kLuminanceWeights{0.2126f, 0.7152f, 0.0722f};
 constexpr float kUnlitSceneGain = 2.2f;
 
 double strength_at(const Light& light, const glm::dvec3& place)
@@ -44,7 +45,7 @@ void fill_light(FrameBlock& block, std::size_t i, const Light& light)
 {
     block.light_position[i] = glm::vec4(glm::vec3(light.position_world), static_cast<float>(light.type));
     block.light_direction[i] = glm::vec4(glm::vec3(glm::normalize(light.direction_world)), light.range_m);
-    block.light_colour[i] = glm::vec4(light.colour * light.intensity, 0.0f);
+    block.light_colour[i] = glm::vec4(light.colour, glm::dot(light.colour, kLuminanceWeights)) * light.intensity;
     const float inner = std::cos(light.inner_cone_rad);
     const float outer = std::cos(light.outer_cone_rad);
     const float scale = 1.0f / std::max(0.001f, inner - outer);

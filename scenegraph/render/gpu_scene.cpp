@@ -6,11 +6,13 @@
 #include <glm/geometric.hpp>
 
 #include "core/error.hpp"
+#include "style/colour.hpp"
 
 namespace hw {
 namespace {
 
 constexpr std::size_t kSampledTriangles = 4096;
+constexpr int kSampledRows = 32;
 
 /// Appends one stream's values to interleaved vertices.
 class Interleaver {
@@ -151,6 +153,22 @@ std::vector<std::uint8_t> as_rgba(const Pixels& image)
     return rgba;
 }
 
+/// Of about a thousand texels, linear.
+glm::vec3 mean_colour(const Pixels& image)
+{
+    const int step = std::max(1, std::min(image.width, image.height) / kSampledRows);
+    glm::vec3 sum(0.0f);
+    float count = 0.0f;
+    for (int y = step / 2; y < image.height; y += step)
+        for (int x = step / 2; x < image.width; x += step) {
+            const std::uint8_t* at = image.at(x, y);
+            const bool is_gray = image.channels < 3;
+            sum += linear_colour(glm::vec3(at[0], at[is_gray ? 0 : 1], at[is_gray ? 0 : 2]) / 255.0f);
+            ++count;
+        }
+    return sum / std::max(count, 1.0f);
+}
+
 WrapMode wrap_mode(TextureWrap wrap)
 {
     if (wrap == TextureWrap::repeat) return WrapMode::repeat;
@@ -241,6 +259,9 @@ GpuMaterial GpuScene::upload(const Material& material)
         return id;
     };
     gpu.base_colour = take(material.base_colour_texture, true, f::kBaseColourMapBit);
+    gpu.mean_colour = glm::vec3(material.base_colour);
+    if (gpu.base_colour != 0)
+        gpu.mean_colour *= mean_colour(scene_.images[scene_.textures[material.base_colour_texture.texture].image]);
     gpu.metallic_roughness = take(material.metallic_roughness_texture, false, f::kMetallicRoughnessMapBit);
     gpu.normal = take(material.normal_texture, false, f::kNormalMapBit);
     gpu.occlusion = take(material.occlusion_texture, false, f::kOcclusionMapBit);

@@ -36,6 +36,7 @@ struct GpuMaterial {
     std::uint32_t normal = 0;
     std::uint32_t occlusion = 0;
     std::uint32_t emissive = 0;
+    glm::vec3 mean_colour{1.0f};  ///< Of the base colour and its texture, linear.
 };
 
 struct GpuMap {

@@ -24,6 +24,7 @@ SurfaceLocations locations_of(const GpuProgram& program)
             .handedness = at("hw_handedness"),
             .hatch_scale = at("hw_hatch_scale"),
             .base_colour_factor = at("hw_base_colour_factor"),
+            .mean_colour = at("hw_mean_colour"),
             .material_factors = at("hw_material_factors"),
             .emissive_normal = at("hw_emissive_normal"),
             .presence_height = at("hw_presence_height"),

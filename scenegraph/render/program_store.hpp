@@ -51,7 +51,7 @@ inline constexpr SurfaceFeatures kDirection = SurfaceFeatures(1) << 38;
 /// Where a surface program's uniforms stand; -1 where the program does not use one.
 struct SurfaceLocations {
     int clip_from_object, relative_from_object, normal_from_object;
-    int certainty, handedness, hatch_scale, base_colour_factor, material_factors, emissive_normal;
+    int certainty, handedness, hatch_scale, base_colour_factor, mean_colour, material_factors, emissive_normal;
     int presence_height, presence_inverted;
     int base_colour_uv, metallic_roughness_uv, normal_uv, occlusion_uv, emissive_uv;
     int hatch_info, ink_info, tonal_info;

@@ -144,6 +144,7 @@ void SurfaceDrawer::set_material(const LinkedProgram& program, const DrawItem& i
     const SurfaceLocations& at = program.at;
     const Material& material = *item.material;
     GpuProgram::set(at.base_colour_factor, material.base_colour);
+    GpuProgram::set(at.mean_colour, gpu_material.mean_colour);
     GpuProgram::set(at.material_factors, glm::vec4(material.metallic, material.roughness, material.alpha_cutoff,
                                                    material.occlusion_strength));
     GpuProgram::set(at.emissive_normal, glm::vec4(material.emissive, material.normal_scale));

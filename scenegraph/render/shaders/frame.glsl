@@ -15,7 +15,7 @@ layout(std140) uniform HwFrame {
     vec4 hw_shadow_params;              // x 1/size, y world size of a texel; the light is number 0
     vec4 hw_light_position[kHwMaxLights];   // xyz world; w 0 sun, 1 point, 2 spot
     vec4 hw_light_direction[kHwMaxLights];  // xyz unit, from the light; w range in metres, 0 unlimited
-    vec4 hw_light_colour[kHwMaxLights];     // rgb times lux or candela
+    vec4 hw_light_colour[kHwMaxLights];     // rgb times lux or candela, w their luminance
     vec4 hw_light_cone[kHwMaxLights];       // x scale, y offset: falloff = clamp(cosine * x + y, 0, 1) squared
 };
 

@@ -14,15 +14,24 @@ float hw_hash(float key, uint salt)
     return float(((h >> 22u) ^ h) >> 8u) * (1.0 / 16777216.0);
 }
 
-// The largest power of two not above `wanted`, the distance between two things on the surface that suits the screen.
-// `thinning` is what each second thing keeps of its size, from 1 to 0 over the octave: 2 cell / wanted - 1 keeps the sum
-// constant, since the spacing on the screen shrinks as wanted / cell grows.
+// A power of two from its inverse, another power of two: exact, without a division.
+float hw_inverse_of_power(float power) { return uintBitsToFloat(0x7f000000u - floatBitsToUint(power)); }
+
+// The inverse of the largest power of two not above 1 / inverse_wanted: of the distance between two things on the surface
+// that suits the screen. `thinning` is what each second thing keeps of its size, from 1 to 0 over the octave:
+// 2 cell / wanted - 1 keeps the sum constant, since the spacing on the screen shrinks as wanted / cell grows.
+float hw_inverse_octave(float inverse_wanted, out float thinning)
+{
+    float inverse_safe = clamp(inverse_wanted, 1e-12, 1e12);
+    float inverse_cell = uintBitsToFloat((floatBitsToUint(inverse_safe) + 0x007fffffu) & 0x7f800000u);
+    thinning = 2.0 * inverse_safe * hw_inverse_of_power(inverse_cell) - 1.0;
+    return inverse_cell;
+}
+
+// The largest power of two not above `wanted`, and the same thinning.
 float hw_octave(float wanted, out float thinning)
 {
-    float safe = clamp(wanted, 1e-12, 1e12);
-    float cell = uintBitsToFloat(floatBitsToUint(safe) & 0x7f800000u);
-    thinning = 2.0 * cell / safe - 1.0;
-    return cell;
+    return hw_inverse_of_power(hw_inverse_octave(1.0 / clamp(wanted, 1e-12, 1e12), thinning));
 }
 
 // Ink of a line `width` device pixels wide whose middle is `distance` device pixels away: a box filter one pixel wide.
@@ -43,25 +52,27 @@ float hw_wave(float x)
     return 4.0 * t * (1.0 - abs(t));
 }
 
-// Ink of parallel strokes. `st`: across and along the strokes, on the surface, metres; st_dx and st_dy its derivatives in the
-// picture. `tone` is the ink coverage that is wanted, at most 1.
-float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, HwHand hand)
+// Ink of parallel strokes. `st`: across and along the strokes, on the surface, metres; st_dx and st_dy its derivatives in
+// the picture. `inverse_spacing`: of device pixels between two strokes; `width`: of a stroke, device pixels.
+// Written in inverses: software renderers wait for every division.
+float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, float width, HwHand hand)
 {
-    float across = max(length(vec2(st_dx.x, st_dy.x)), 1e-12);  // metres per device pixel
+    float px_per_m = hw_inverse_sqrt(clamp(st_dx.x * st_dx.x + st_dy.x * st_dy.x, 1e-24, 1e24));
     float thinning;
-    float cell = hw_octave(spacing_px * hw_px_scale * across, thinning);
-    float index = floor(st.x / cell + 0.5);
-    float line = index * cell;
-    float width = tone * spacing_px * hw_px_scale * (fract(index * 0.5) > 0.25 ? thinning : 1.0);
+    float inverse_cell = hw_inverse_octave(px_per_m * inverse_spacing, thinning);
+    float index = floor(st.x * inverse_cell + 0.5);
+    float line = index * hw_inverse_of_power(inverse_cell);
+    width *= fract(index * 0.5) > 0.25 ? thinning : 1.0;
     float offset = 0.0;
     if (hand.length_px > 0.0) {
-        float along = max(length(vec2(st_dx.y, st_dy.y)), 1e-12);
+        float px_per_m_along = hw_inverse_sqrt(clamp(st_dx.y * st_dx.y + st_dy.y * st_dy.y, 1e-24, 1e24));
         float end_thinning;
-        float piece = hw_octave(hand.length_px * hw_px_scale * along, end_thinning);
+        float inverse_piece = hw_inverse_octave(px_per_m_along / (hand.length_px * hw_px_scale), end_thinning);
         float random = hw_hash(line, 1u);
-        float t = st.y / piece + 64.0 * random / piece;
+        float t = (st.y + 64.0 * random) * inverse_piece;
         float end_index = floor(t + 0.5);
-        float to_end = abs(t - end_index) * piece / (along * hw_px_scale * hand.gap_px);
+        float piece_px = hw_inverse_of_power(inverse_piece) * px_per_m_along;
+        float to_end = abs(t - end_index) * piece_px / (hw_px_scale * hand.gap_px);
         float taper = clamp(to_end * 0.4 - 0.2, 0.0, 1.0);
         taper = fract(end_index * 0.5) > 0.25 ? mix(1.0, taper, end_thinning) : taper;
         float wave = mix(hw_wave(0.35 * t + random), hw_wave(0.7 * t + random), end_thinning);
@@ -69,7 +80,14 @@ float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, 
         width *= taper * (1.0 + min(3.0 * hand.gap_px / hand.length_px, 0.5)) * (1.0 + hand.pressure * wave);
         offset = hand.wobble_px * hw_px_scale * wave;
     }
-    return hw_line_ink(width, abs((st.x - line) / across + offset));
+    return hw_line_ink(width, abs((st.x - line) * px_per_m + offset));
+}
+
+// The same for logical pixels between strokes and the ink coverage `tone`, at most 1.
+float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, HwHand hand)
+{
+    float spacing = spacing_px * hw_px_scale;
+    return hw_stroke_ink(st, st_dx, st_dy, 1.0 / spacing, tone * spacing, hand);
 }
 
 // The model's texture coordinates run downwards, made ones upwards.
@@ -84,14 +102,19 @@ const vec2 kHwUp = vec2(1.0, 1.0);
 const vec2 kHwUp = kHwMapUp;
 #endif
 
-// Ink of strokes along `direction` (unit, right and up on the surface).
-float hw_strokes_along(HwSurface s, vec2 direction, float spacing_px, float tone, HwHand hand)
+// Across and along strokes of this `direction` (unit, right and up on the surface), from coordinates on the surface.
+mat2 hw_to_strokes(vec2 direction)
 {
     vec2 along = direction * kHwUp;
     vec2 across = vec2(-direction.y, direction.x) * kHwUp;
-    return hw_strokes(vec2(dot(s.hatch_uv, across), dot(s.hatch_uv, along)),
-                      vec2(dot(s.hatch_uv_dx, across), dot(s.hatch_uv_dx, along)),
-                      vec2(dot(s.hatch_uv_dy, across), dot(s.hatch_uv_dy, along)), spacing_px, tone, hand);
+    return mat2(across.x, along.x, across.y, along.y);
+}
+
+// Ink of strokes along `direction` (unit, right and up on the surface).
+float hw_strokes_along(HwSurface s, vec2 direction, float spacing_px, float tone, HwHand hand)
+{
+    mat2 turn = hw_to_strokes(direction);
+    return hw_strokes(turn * s.hatch_uv, turn * s.hatch_uv_dx, turn * s.hatch_uv_dy, spacing_px, tone, hand);
 }
 
 struct HwHatching {
@@ -105,35 +128,37 @@ struct HwHatching {
 // Tonal hatching: `tone` is ink coverage. The first direction carries light tones, its strokes wide apart, then closer; the
 // second crosses it in half-tones, a third in the dark, where strokes grow wider at last. So six tones, with everything
 // between them, and a darker tone keeps all strokes of a lighter one.
+// A loop that ends when the tone is reached, at the latest with the third direction, which takes all that is left: software
+// renderers run both sides of a branch, but leave a loop when all of its pixels have.
 float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
 {
     float full = clamp(h.width_px / h.spacing_px, 0.02, 0.9);  // ink of a direction whose strokes are closest
-    float wanted = 1.0 - clamp(tone, 0.0, 0.98);               // paper that stays
+    float inverse_full = 1.0 / full;
+    float spacing = h.spacing_px * hw_px_scale;
+    float inverse_spacing = 1.0 / spacing;
+    float wanted = 1.0 - clamp(tone, 0.0, 0.98);  // paper that stays, of what earlier directions left
+    float paper = 1.0;
+    vec2 direction = h.direction;
+    float widest = 2.5;
     float ink = 1.0 - wanted;
-    if (ink < 0.004) return 0.0;
-    float first = min(ink, full);
-    float paper = 1.0 - hw_strokes_along(s, h.direction, h.spacing_px * clamp(full / first, 1.0, 2.5), first, h.hand);
-    float mean = 1.0 - first;
-    ink = 1.0 - wanted / mean;
-    if (ink < 0.004) return 1.0 - paper;
-    float second = min(ink, full);
-    float spacing = h.spacing_px * clamp(full / second, 1.0, 2.0);
-    paper *= 1.0 - hw_strokes_along(s, h.cross_direction, spacing, second, h.hand);
-    mean *= 1.0 - second;
-    ink = 1.0 - wanted / mean;
-    if (ink < 0.004) return 1.0 - paper;
-    spacing = h.spacing_px * clamp(full / ink, 1.0, 2.0);
-    return 1.0 - paper * (1.0 - hw_strokes_along(s, normalize(h.direction + h.cross_direction), spacing, ink, h.hand));
-}
-
-// Ink of a map, blended between the two levels nearest to `level`. Each level was drawn by its maker, so levels are chosen
-// here: what the hardware would take depends on its filters.
-float hw_map_ink(sampler2D map, vec2 at, float level)
-{
-    float finer = floor(level);
-    float paper = mix(textureLod(map, at, finer).r, textureLod(map, at, finer + 1.0).r, level - finer);
+    for (int i = 0; ink >= 0.004; ++i) {
+        float part = i < 2 ? min(ink, full) : ink;
+        float closeness = clamp(part * inverse_full, 1.0 / widest, 1.0);
+        float width = spacing * max(min(full, part * widest), part);
+        mat2 turn = hw_to_strokes(direction);
+        paper *= 1.0 - hw_stroke_ink(turn * s.hatch_uv, turn * s.hatch_uv_dx, turn * s.hatch_uv_dy,
+                                     closeness * inverse_spacing, width, h.hand);
+        wanted /= 1.0 - part;
+        ink = 1.0 - wanted;
+        widest = 2.0;
+        direction = i == 0 ? h.cross_direction : normalize(h.direction + h.cross_direction);
+    }
     return 1.0 - paper;
 }
+
+// Ink of a map whose levels its maker drew. The level is chosen here: what the hardware would take depends on its
+// filters. Neighbouring levels are blended by the hardware.
+float hw_map_ink(sampler2D map, vec2 at, float level) { return 1.0 - textureLod(map, at, level).r; }
 
 // Ink of a hatch map along `u` metres; `u_d`: its derivatives in the picture; `info`: hw_hatch_info. Every level holds lines
 // equally many texels apart. Nearer than the finest level and farther than the coarsest that still separates lines, the
@@ -148,26 +173,32 @@ float hw_hatch_map_ink(sampler2D map, vec4 info, float u, vec2 u_d, float spacin
 }
 
 // Ink of a 2-D map at `uv` metres, right and up; dx and dy its derivatives in the picture; `info`: hw_ink_info. The level
-// follows the direction in which the map is seen shortest, so that strokes never run together; two samples along that
-// direction let it be one level finer. `detail` takes levels finer by that much: more and thinner strokes. Edges of strokes
-// are one pixel wide, however large a texel is. Nearer than the finest level the drawing grows with the object and pales,
-// farther than the coarsest it is an even tone.
+// follows the direction in which the map is seen shortest, so that strokes never run together; a second sample along that
+// direction lets it be one level finer where the map is seen at an angle. `detail` takes levels finer by that much: more and
+// thinner strokes. Edges of strokes are one pixel wide, however large a texel is. Nearer than the finest level the drawing
+// grows with the object and pales, farther than the coarsest it is an even tone.
 float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float detail)
 {
     vec2 to_map = info.x * vec2(1.0, -1.0 / info.y);
-    float texels_per_m = info.x * info.z;
+    float texels_per_m = info.x * info.z * hw_px_scale;
     float long_x = dot(dx, dx);
     float long_y = dot(dy, dy);
     vec2 longest = long_x > long_y ? dx : dy;
-    float texels = sqrt(max(long_x, long_y)) * texels_per_m;
-    float texels_across = sqrt(min(long_x, long_y)) * texels_per_m;
-    float finer = clamp(texels / max(texels_across, 1e-12), 1.0, 2.0);  // 2 where the map is seen at an angle
-    float level = log2(clamp(texels / finer * hw_px_scale, 1e-12, 1e12)) - detail;
+    float most = clamp(max(long_x, long_y), 1e-24, 1e24);
+    float least = clamp(min(long_x, long_y), 1e-24, 1e24);
+    float angle = most * hw_inverse_sqrt(most) * hw_inverse_sqrt(least);  // texels seen shortest, of those seen longest
+    float finer = clamp(angle, 1.0, 2.0);
+    float texels = most * hw_inverse_sqrt(most) * texels_per_m;
+    float level = log2(clamp(texels / finer, 1e-12, 1e12)) - detail;
     float grown = clamp(-0.5 * level, 0.0, 1.0);  // 1 where a texel of the finest level covers four pixels
     level = clamp(level, 0.0, info.w - 1.0);
-    vec2 apart = 0.25 * longest * to_map;
-    float ink = 0.5 * (hw_map_ink(map, uv * to_map - apart, level) + hw_map_ink(map, uv * to_map + apart, level));
-    float texel_px = exp2(level) / max(sqrt(texels * texels_across), 1e-12);
+    vec2 at = uv * to_map;
+    float ink = 0.0;
+    float count = finer > 1.25 ? 2.0 : 1.0;
+    vec2 apart = clamp(angle - 1.25, 0.0, 0.25) * longest * to_map;
+    for (float i = 0.0; i < count; i += 1.0) ink += hw_map_ink(map, at + (2.0 * i - 1.0) * apart, level);
+    ink /= count;
+    float texel_px = exp2(level) * sqrt(angle) * hw_px_scale / max(texels, 1e-12);
     float edge = mix(0.5 / clamp(texel_px, 1.0, 4.0), 0.5, clamp(level - info.w + 5.0, 0.0, 1.0));
     return (1.0 - 0.5 * grown) * clamp((ink - 0.5 - 0.35 * grown) / (2.0 * edge) + 0.5, 0.0, 1.0);
 }

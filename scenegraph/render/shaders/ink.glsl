@@ -1,5 +1,6 @@
 // The drawing of one surface in pen and ink, shared by styles that draw in ink. Include after hatch.glsl and lighting.glsl.
-// Defines of the program: TONE_PLAIN (even hatching by the hatch map) or TONE_SHADED (hatching by light and shadow);
+// Defines of the program: TONE_PLAIN (even hatching by the hatch map) or TONE_SHADED (hatching by light and shadow),
+// with TONE_HALFTONE by a priority map;
 // MATERIAL_COLOUR (paper or ink take colour from the material).
 
 uniform vec4 hatch_size_px;      // spacing, stroke width, stroke length, wobble: logical pixels
@@ -10,30 +11,27 @@ uniform vec3 ink_colour;
 uniform vec3 uncertain_colour;
 uniform vec2 from_material;      // share of the material's colour in the paper's and in the ink's; with MATERIAL_COLOUR
 uniform float shade;
+uniform float light_response;    // 0: the mean tone everywhere, 1: as light falls
+uniform vec3 ink_fade;           // height where hatching begins to fade, where it is gone, 1 when it fades at all
 uniform vec2 ink_map_look;         // strength, and how much finer than one texel a pixel
-
-// The mean colour of the material: its texture's coarsest level.
-vec3 hw_mean_colour()
-{
-#ifdef HW_BASE_COLOUR_MAP
-    return hw_base_colour_factor.rgb * textureLod(hw_base_colour_map, vec2(0.5), 20.0).rgb;
-#else
-    return hw_base_colour_factor.rgb;
-#endif
-}
 
 // Ink coverage that light of this tone (0 to 1) asks for on this material.
 float hw_ink_of_light(float light)
 {
-    float lit = smoothstep(tone_range.z, tone_range.y, light);
-    float albedo = sqrt(clamp(hw_luminance(hw_mean_colour()), 0.0, 1.0));
+    float lit = mix(0.5, smoothstep(tone_range.z, tone_range.y, light), light_response);
+    float albedo = sqrt(clamp(hw_luminance(hw_mean_colour), 0.0, 1.0));
     float white = mix(1.0, min(albedo * 1.4, 1.0), tone_range.w);
     return tone_range.x * max(1.06 * (1.0 - lit * white) - 0.06, 0.0);  // a hand leaves the lightest tones to the paper
 }
 
 float hw_hatching(HwSurface surface, float light)
 {
-#if defined(TONE_SHADED) && defined(HW_TONAL_MAP)
+#if defined(TONE_HALFTONE) && defined(HW_TONAL_MAP)
+    mat2 turn_map = mat2(hatch_directions.x, -hatch_directions.y, hatch_directions.y, hatch_directions.x);
+    return hw_halftone_ink(hw_tonal_map, hw_tonal_info, turn_map * (surface.hatch_uv * kHwUp),
+                           turn_map * (surface.hatch_uv_dx * kHwUp), turn_map * (surface.hatch_uv_dy * kHwUp),
+                           hw_ink_of_light(light));
+#elif defined(TONE_SHADED) && defined(HW_TONAL_MAP)
     vec2 right = hatch_directions.xy;
     mat2 turn = mat2(right.x, -right.y, right.y, right.x);
     return hw_tonal_map_ink(hw_tonal_map, hw_tonal_info, turn * (surface.hatch_uv * kHwUp),
@@ -65,6 +63,14 @@ float hw_ink_map_detail(HwSurface surface)
 #endif
 }
 
+// What of the hatching is left at this height.
+float hw_unfaded(HwSurface surface)
+{
+    float height = ink_fade.y - ink_fade.x;
+    float at = clamp((surface.position_world.y - ink_fade.x) / (abs(height) < 1e-6 ? 1e-6 : height), 0.0, 1.0);
+    return 1.0 - ink_fade.z * at * at * (3.0 - 2.0 * at);
+}
+
 // The colour of the drawing here, linear.
 vec3 hw_pen_and_ink(HwSurface surface, HwMaterial material)
 {
@@ -76,11 +82,12 @@ vec3 hw_pen_and_ink(HwSurface surface, HwMaterial material)
 #endif
     vec3 paper = mix(uncertain_colour, paper_colour, hw_certainty);
     vec3 ink = ink_colour;
+    float unfaded = hw_unfaded(surface);
 #ifdef MATERIAL_COLOUR
-    paper = mix(paper, material.base_colour, from_material.x);
+    paper = mix(paper, material.base_colour, from_material.x * unfaded);
     ink = mix(ink, 0.35 * material.base_colour, from_material.y);
 #endif
     paper *= mix(1.0, 0.25 + 0.75 * light * light, shade);
     float coverage = 1.0 - (1.0 - hw_hatching(surface, light)) * (1.0 - hw_ink_map_detail(surface));
-    return mix(paper, ink, coverage);
+    return mix(paper, ink, coverage * unfaded);
 }

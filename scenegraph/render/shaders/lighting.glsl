@@ -10,22 +10,22 @@ float hw_luminance(vec3 colour_linear) { return dot(colour_linear, kHwLuminanceW
 // The main light, the one with a shadow: the host puts it first.
 const int kHwMainLight = 0;
 
-// A sun on a face with this normal, in the main light's shadow: lux.
-vec3 hw_sun(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
+// What of a sun reaches a face with this normal, in the main light's shadow.
+float hw_sun(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
 {
     to_light = -hw_light_direction[i].xyz;
     float facing = max(dot(normal_world, to_light), 0.0);
     // No test of `facing` around the shadow: software renderers run both sides of a branch.
     if (i == kHwMainLight) facing *= hw_shadow(s);
-    return hw_light_colour[i].rgb * facing;
+    return facing;
 }
 
-// A point or spot light on a face with this normal: lux.
-vec3 hw_lamp(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
+// What of each candela of a point or spot light reaches a face with this normal: lux.
+float hw_lamp(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
 {
     vec3 d = hw_light_position[i].xyz - s.position_world;
     float distance_squared = max(dot(d, d), 1e-4);
-    float near = inversesqrt(distance_squared);
+    float near = hw_inverse_sqrt(min(distance_squared, 1e24));
     to_light = d * near;
     float share = max(dot(normal_world, to_light), 0.0) * near * near;
 #ifdef HW_LIGHT_RANGES  // as KHR_lights_punctual recommends
@@ -37,14 +37,19 @@ vec3 hw_lamp(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
     float cone = clamp(dot(hw_light_direction[i].xyz, -to_light) * hw_light_cone[i].x + hw_light_cone[i].y, 0.0, 1.0);
     if (hw_light_position[i].w > 1.5) share *= cone * cone;
 #endif
-    return hw_light_colour[i].rgb * share;
+    return share;
+}
+
+float hw_light(HwSurface s, vec3 n, const int i, out vec3 to_light)
+{
+    return i < HW_SUN_COUNT ? hw_sun(s, n, i, to_light) : hw_lamp(s, n, i, to_light);
 }
 
 // Lights with constant indices: a loop would fetch them anew for each pixel.
 void hw_add_light(HwSurface s, vec3 n, const int i, inout vec3 sum, inout vec3 way)
 {
     vec3 to_light;
-    vec3 illuminance = i < HW_SUN_COUNT ? hw_sun(s, n, i, to_light) : hw_lamp(s, n, i, to_light);
+    vec3 illuminance = hw_light_colour[i].rgb * hw_light(s, n, i, to_light);
     sum += illuminance;
     way += to_light * hw_luminance(illuminance);
 }
@@ -79,6 +84,38 @@ vec3 hw_direct(HwSurface s, vec3 n, out vec3 mean_to_light)
     hw_add_light(s, n, 7, sum, way);
 #endif
     mean_to_light = normalize(way);
+    return sum;
+}
+
+// The luminance of hw_direct() alone, lux: all that hatching and shade go by, at a third of the work.
+float hw_direct_gray(HwSurface s, vec3 n)
+{
+    vec3 to_light;
+    float sum = 0.0;
+#if HW_LIGHT_COUNT > 0
+    sum += hw_light_colour[0].w * hw_light(s, n, 0, to_light);
+#endif
+#if HW_LIGHT_COUNT > 1
+    sum += hw_light_colour[1].w * hw_light(s, n, 1, to_light);
+#endif
+#if HW_LIGHT_COUNT > 2
+    sum += hw_light_colour[2].w * hw_light(s, n, 2, to_light);
+#endif
+#if HW_LIGHT_COUNT > 3
+    sum += hw_light_colour[3].w * hw_light(s, n, 3, to_light);
+#endif
+#if HW_LIGHT_COUNT > 4
+    sum += hw_light_colour[4].w * hw_light(s, n, 4, to_light);
+#endif
+#if HW_LIGHT_COUNT > 5
+    sum += hw_light_colour[5].w * hw_light(s, n, 5, to_light);
+#endif
+#if HW_LIGHT_COUNT > 6
+    sum += hw_light_colour[6].w * hw_light(s, n, 6, to_light);
+#endif
+#if HW_LIGHT_COUNT > 7
+    sum += hw_light_colour[7].w * hw_light(s, n, 7, to_light);
+#endif
     return sum;
 }
 
@@ -178,11 +215,10 @@ vec3 hw_display(vec3 luminance)
 float hw_light_tone(HwSurface s, vec3 normal_world)
 {
 #ifdef HW_LIGHTMAP
-    vec3 luminance = hw_baked_illuminance() / kHwPi;
+    float luminance = hw_luminance(hw_baked_illuminance()) * (1.0 / kHwPi);
 #else
-    vec3 to_light;
-    vec3 luminance = hw_ambient(normal_world) + hw_direct(s, normal_world, to_light) / kHwPi;
+    float luminance = hw_luminance(hw_ambient(normal_world)) + hw_direct_gray(s, normal_world) * (1.0 / kHwPi);
 #endif
-    float x = hw_luminance(luminance) * hw_exposure;
+    float x = luminance * hw_exposure;
     return sqrt(clamp(1.0 - exp2(-2.3 * x), 0.0, 1.0));
 }

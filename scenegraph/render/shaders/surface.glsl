@@ -19,6 +19,7 @@
 //   HW_LIGHT_COUNT n HW_SUN_COUNT n                                always: lights of the scene, 0 to 8; suns are the first
 //   HW_SPOT_LIGHTS HW_LIGHT_RANGES                                 some light has a cone, or a range
 #include "frame.glsl"
+#include "fast_math.glsl"
 #include "presence.glsl"
 
 layout(location = 0) out vec4 hw_fragment;
@@ -50,6 +51,7 @@ uniform float hw_certainty;         // of the level, in [0, 1]
 uniform float hw_handedness;        // -1 where the transform mirrors, else 1
 uniform vec2 hw_hatch_scale;        // metres per unit of uv0, and per unit of object space
 uniform vec4 hw_base_colour_factor;
+uniform vec3 hw_mean_colour;        // of the base colour and its map, linear
 uniform vec4 hw_material_factors;   // metallic, roughness, alpha cutoff, occlusion strength
 uniform vec4 hw_emissive_normal;    // emissive rgb, normal scale
 #ifdef HW_BASE_COLOUR_MAP
