@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <iostream>
 
 #include "core/error.hpp"
@@ -29,6 +30,7 @@ struct RenderArguments {
     fs::path out;
     int samples = 4;
     std::string lines = "automatic";
+    std::string part = "1/1";
     bool has_stats = false;
     fs::path json;
 };
@@ -51,9 +53,30 @@ std::vector<OutputFile> output_files(const RenderArguments& arguments, std::size
     return outputs;
 }
 
+/// Every `of`-th picture from number `first`, both counted from 1.
+struct Part {
+    std::size_t first = 1;
+    std::size_t of = 1;
+    bool has(std::size_t picture) const { return picture % of == first - 1; }
+};
+
+Part part_of(const RenderArguments& arguments)
+{
+    const std::string& text = arguments.part;
+    const char* end = text.data() + text.size();
+    Part part;
+    const auto [sign, first_status] = std::from_chars(text.data(), end, part.first);
+    const bool has_sign = first_status == std::errc() && sign != end && *sign == '/';
+    const auto [stop, of_status] = std::from_chars(has_sign ? sign + 1 : end, end, part.of);
+    if (!has_sign || of_status != std::errc() || stop != end || part.first < 1 || part.first > part.of)
+        throw Error({.what = "--part " + text, .expected = "K/N, 1 <= K <= N, such as 3/8"});
+    return part;
+}
+
 void check_arguments(const RenderArguments& arguments)
 {
     parse_size(arguments.size);
+    part_of(arguments);
     check_shot_arguments(arguments.shots);
     require_outputs(output_files(arguments, is_path(arguments) ? 0 : 1), {arguments.level.file});
     if (is_path(arguments))
@@ -89,6 +112,7 @@ void render(const RenderArguments& arguments)
     require_fits(size, context->device());
     Stage stage(*context, stage_options(arguments.level, CompiledUse::reused));
     warn_of_idle_styles(stage.level(), stage.scene(), arguments.level.styles.size());
+    const Part part = part_of(arguments);
     const std::vector<Shot> shots =
         shots_of(arguments.shots, stage.level(), stage.scene(), static_cast<double>(size.x) / size.y);
     require_unread(output_files(arguments, shots.size()));
@@ -100,6 +124,7 @@ void render(const RenderArguments& arguments)
     JsonValue frames = JsonValue::array();
     Progress progress("Rendering", shots.size());
     for (std::size_t i = 0; i < shots.size(); ++i) {
+        if (!part.has(i)) continue;
         View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
         view.time_s = shots[i].time_s;
         options.overlay.lines = shown_lines(stage.world(), arguments.show, leaks, view, size);
@@ -134,6 +159,8 @@ void add_render_command(CLI::App& app)
     command->add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
         ->option_text("WAY")
         ->check(one_of({"automatic", "native", "quads"}));
+    command->add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
+        ->option_text("K/N");
     command->add_flag("--stats", arguments->has_stats, "Print what each frame did");
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { render(*arguments); });

@@ -86,6 +86,27 @@ ReportSection lightmap_section()
                        .is_joined = true}}};
 }
 
+ReportSection scale_section()
+{
+    const auto plot = [](const char* title, const char* column, const char* label) {
+        return PlotRecipe{.title = title,
+                          .x_column = "triangles",
+                          .x_label = "drawn triangles of the level",
+                          .y_column = column,
+                          .y_label = label,
+                          .series_columns = {},
+                          .is_joined = true};
+    };
+    return {.name = "scale",
+            .title = "Size of levels",
+            .says = "Rooms on a grid, from 64 to 500 of them, 10 objects each: what grows with the level, and a frame from "
+                    "the first room, which sees the same in all. The pixels that differ from a frame drawn without the PVS "
+                    "must be none.",
+            .arguments = {"scale"},
+            .plots = {plot("Compile time", "compile_s", "seconds"), plot("Memory", "resident_mib", "MiB"),
+                      plot("A frame of equal visible work", "frame_ms", "median ms")}};
+}
+
 }  // namespace
 
 std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& data)
@@ -97,7 +118,7 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
         models = joined(std::move(models), models_in(data / "models"));
         scenes = joined(std::move(scenes), models_in(data / "scenes"));
     }
-    return {silhouettes_section(models), frame_section(hall), pvs_section(scenes), lightmap_section()};
+    return {silhouettes_section(models), frame_section(hall), pvs_section(scenes), lightmap_section(), scale_section()};
 }
 
 }  // namespace hw

@@ -1,0 +1,220 @@
+// What grows with a level and what only with what is seen of it: levels of four sizes, all alike from the first room.
+// Slopes are of a straight line through the logarithms: 1 is proportional, 0 constant. The error beside the time is the
+// share of pixels that differ from the frame drawn without the PVS.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+#include "core/error.hpp"
+#include "gl/context.hpp"
+#include "hatchway/arguments.hpp"
+#include "hatchway/option_rules.hpp"
+#include "hatchway/output_files.hpp"
+#include "io/json_out.hpp"
+#include "measure/measures.hpp"
+#include "measure/scale_level.hpp"
+#include "render/camera_view.hpp"
+
+namespace hw {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+struct ScaleArguments {
+    std::vector<int> rooms{64, 128, 256, 500};
+    int frames = 20;
+    std::string size = "640x360";
+    std::string style = "photoreal";
+    fs::path write;
+    fs::path json;
+};
+
+/// A folder for generated levels that goes away.
+struct WorkFolder {
+    WorkFolder() { fs::create_directories(path); }
+    ~WorkFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    fs::path path = fs::temp_directory_path() / fmt::format("hatchway_scale_{}", ::getpid());
+};
+
+struct Row {
+    measure::ScaleLevel level;
+    double open_s = 0.0;        ///< First time: import, compile, upload.
+    double compile_s = 0.0;     ///< Of it, the visibility alone.
+    double open_again_s = 0.0;  ///< With the compiled level at hand.
+    double resident_mib = 0.0;
+    double frame_ms = 0.0;  ///< Medians.
+    double visibility_ms = 0.0;
+    double frame_triangles = 0.0;
+    double visible_share = 0.0;
+    double differing_share = 0.0;
+};
+
+double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double resident_mib()
+{
+    std::ifstream file("/proc/self/statm");
+    double pages = 0.0, resident = 0.0;
+    file >> pages >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+}
+
+double median(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Slope of the straight line of least squares through (log x, log y).
+double log_slope(const std::vector<Row>& rows, double (*x_of)(const Row&), double (*y_of)(const Row&))
+{
+    double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    for (const Row& row : rows) {
+        const double x = std::log(x_of(row)), y = std::log(std::max(y_of(row), 1e-9));
+        sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    const double n = static_cast<double>(rows.size());
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+void draw_frames(Stage& stage, const ScaleArguments& arguments, const glm::ivec2& size, Row& row)
+{
+    const CameraPlace camera{row.level.eye_world, row.level.target_world, 70.0};
+    const View view = camera_view(camera, size, stage.scene().bounds_world);
+    FrameOptions options{.samples = 1, .is_timed = true};
+    stage.draw(view, options);  // what is made on first use is no part of a frame
+    std::vector<double> frame_ms, visibility_ms;
+    for (int i = 0; i < arguments.frames; ++i) {
+        const FrameStats stats = stage.draw(view, options);
+        frame_ms.push_back(stats.total_ms);
+        visibility_ms.push_back(stats.visibility_ms);
+        row.frame_triangles = static_cast<double>(stats.triangles);
+    }
+    row.frame_ms = median(std::move(frame_ms));
+    row.visibility_ms = median(std::move(visibility_ms));
+    const Pixels with = stage.renderer().read_picture();
+    options.use_pvs = false;
+    stage.draw(view, options);
+    const Pixels without = stage.renderer().read_picture();
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < with.bytes.size(); i += 3)
+        differing += !std::equal(&with.bytes[i], &with.bytes[i] + 3, &without.bytes[i]);
+    row.differing_share = 3.0 * static_cast<double>(differing) / static_cast<double>(with.bytes.size());
+}
+
+Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::path& folder, int rooms)
+{
+    const fs::path file = folder / fmt::format("rooms_{}.glb", rooms);
+    Row row;
+    row.level = measure::write_scale_level(file, rooms);
+    const StageOptions options{
+        .file = file, .style_overrides = {"*=" + arguments.style}, .cache = CompiledCache{folder}};
+    {
+        const auto start = Clock::now();
+        const Stage stage(context, options);
+        row.open_s = seconds_since(start);
+        row.compile_s = stage.visibility()->stats.seconds;
+        row.visible_share = stage.visibility()->stats.average_visible_share;
+    }
+    const auto start = Clock::now();
+    Stage stage(context, options);
+    row.open_again_s = seconds_since(start);
+    row.resident_mib = resident_mib();
+    draw_frames(stage, arguments, parse_size(arguments.size), row);
+    return row;
+}
+
+JsonValue row_json(const Row& row)
+{
+    JsonValue json = JsonValue::object();
+    json.set("rooms", row.level.rooms).set("objects", row.level.objects).set("triangles", row.level.triangles);
+    json.set("open_s", row.open_s).set("compile_s", row.compile_s).set("open_again_s", row.open_again_s);
+    json.set("resident_mib", row.resident_mib).set("visible_share", row.visible_share);
+    json.set("frame_ms", row.frame_ms).set("visibility_ms", row.visibility_ms);
+    json.set("frame_triangles", row.frame_triangles).set("pixels_unlike_without_pvs", row.differing_share);
+    return json;
+}
+
+void measure_scale(const ScaleArguments& arguments)
+{
+    const glm::ivec2 size = parse_size(arguments.size);
+    require_outputs({{"--json", arguments.json}, {"--write", arguments.write}}, {});
+    if (!arguments.write.empty()) {
+        const auto level = measure::write_scale_level(arguments.write, arguments.rooms.back());
+        std::cout << fmt::format("{}: {} objects, {} triangles\n", arguments.write.string(), level.objects,
+                                 level.triangles);
+        return;
+    }
+    const auto context = make_headless_context();
+    require_fits(size, context->device());
+    const WorkFolder folder;
+    std::vector<Row> rows;
+    JsonValue json_rows = JsonValue::array();
+    for (const int rooms : arguments.rooms) {
+        rows.push_back(measure_rooms(*context, arguments, folder.path, rooms));
+        const Row& row = rows.back();
+        std::cout << fmt::format(
+                         "{:4} rooms, {:5} objects, {:8} triangles: open {:.2f} s (compile {:.2f}), again {:.2f} s, "
+                         "{:.0f} MiB; frame {:.2f} ms (visibility {:.2f}), {} triangles; {:.4f} % of pixels unlike "
+                         "without PVS\n",
+                         row.level.rooms, row.level.objects, row.level.triangles, row.open_s, row.compile_s,
+                         row.open_again_s, row.resident_mib, row.frame_ms, row.visibility_ms, row.frame_triangles,
+                         100.0 * row.differing_share)
+                  << std::flush;
+        json_rows.push(row_json(row));
+    }
+    const auto triangles = [](const Row& row) { return static_cast<double>(row.level.triangles); };
+    const double compile = log_slope(rows, triangles, [](const Row& row) { return row.compile_s; });
+    const double memory = log_slope(rows, triangles, [](const Row& row) { return row.resident_mib; });
+    const double frame = log_slope(rows, triangles, [](const Row& row) { return row.frame_ms; });
+    std::cout << fmt::format("slopes against triangles: compile {:.2f}, memory {:.2f}, frame {:.2f}\n", compile, memory,
+                             frame);
+    if (arguments.json.empty()) return;
+    write_json(arguments.json, JsonValue::object()
+                                   .set("measure", "scale")
+                                   .set("device", context->device().renderer)
+                                   .set("size", arguments.size)
+                                   .set("compile_slope", compile)
+                                   .set("memory_slope", memory)
+                                   .set("frame_slope", frame)
+                                   .set("rows", std::move(json_rows)));
+}
+
+}  // namespace
+
+void add_measure_scale(CLI::App& measure)
+{
+    auto arguments = std::make_shared<ScaleArguments>();
+    CLI::App* command = measure.add_subcommand(
+        "scale", "What grows with a level: compile, memory and a frame of equal visible work, over several sizes");
+    command->add_option("--rooms", arguments->rooms, "Sizes, 64,128,256,500: 10 objects and 4,000 triangles a room")
+        ->option_text("N,N,...")
+        ->check(whole_number_in(2, 20'000))
+        ->delimiter(',');
+    command->add_option("--frames", arguments->frames, "Frames of each size; 20")
+        ->option_text("N")
+        ->check(whole_number_in(1, 10'000));
+    command->add_option("--size", arguments->size, "Size of the picture, 640x360")->option_text("WxH");
+    command->add_option("--style", arguments->style, "Of all objects; photoreal")->option_text("STYLE");
+    command->add_option("--write", arguments->write, "Only write the model of the last size here, to look at it")
+        ->option_text("FILE.glb");
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { measure_scale(*arguments); });
+}
+
+}  // namespace hw

@@ -1,0 +1,181 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program/run_program.hpp"
+
+namespace {
+namespace fs = std::filesystem;
+using hw::test::bytes_of;
+using hw::test::kContent;
+using hw::test::ProgramResult;
+using hw::test::run_program;
+using hw::test::TemporaryFolder;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+json read_json(const fs::path& file) { return json::parse(bytes_of(file)); }
+
+/// A folder with prism.glb.
+struct PrismFolder : TemporaryFolder {
+    PrismFolder() { fs::copy_file(kContent / "models" / "prism.glb", path() / "prism.glb"); }
+    std::string model() const { return *this / "prism.glb"; }
+    fs::path compiled() const { return path() / ".hatchway" / "prism.glb.compiled"; }
+    ProgramResult render(const std::vector<std::string>& more = {}, const std::string& picture = "a.png") const
+    {
+        std::vector<std::string> words{"render", model(), "--size", "64x64", "--samples", "1", "--out", *this / picture};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_program(words);
+    }
+};
+
+/// Two rooms with a doorway, closed all around, and a sealed level of them.
+std::string sealed_level(const TemporaryFolder& folder, const std::string& start)
+{
+    const ProgramResult made = run_program({"measure", "scale", "--rooms", "2", "--write", folder / "rooms.glb"});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    return folder.write("rooms.level.json",
+                        R"({"format": "hatchway-level/1", "scene": "rooms.glb", "sealed": true, "start": {"position": )" +
+                            start + R"(, "look_at": [3, 1, 3]}})");
+}
+
+}  // namespace
+
+TEST(compile, what_it_writes_is_what_render_takes)
+{
+    const PrismFolder folder;
+    ASSERT_EQ(run_program({"compile", folder.model(), "--json", folder / "c.json"}).exit_code, 0);
+    ASSERT_TRUE(fs::exists(folder.compiled()));
+    EXPECT_EQ(read_json(folder / "c.json")["bytes"], fs::file_size(folder.compiled()));
+    const auto written = fs::last_write_time(folder.compiled());
+    ASSERT_EQ(folder.render().exit_code, 0);
+    EXPECT_EQ(fs::last_write_time(folder.compiled()), written);
+    EXPECT_EQ(folder.render({"--no-cache"}, "b.png").exit_code, 0);
+    EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
+}
+
+TEST(compile, render_compiles_at_the_first_start_and_after_damage)
+{
+    const PrismFolder folder;
+    ASSERT_EQ(folder.render().exit_code, 0);
+    const std::string good = bytes_of(folder.compiled());
+    for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), std::string(good.size(), 'x')}) {
+        folder.write(".hatchway/prism.glb.compiled", bad);
+        const ProgramResult result = folder.render();
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_THAT(result.err, HasSubstr("compiled anew"));
+        EXPECT_EQ(bytes_of(folder.compiled()), good);
+    }
+}
+
+TEST(compile, looking_and_measuring_leave_nothing_behind)
+{
+    const PrismFolder folder;
+    EXPECT_EQ(run_program({"check", folder.model()}).exit_code, 0);
+    EXPECT_EQ(run_program({"info", folder.model()}).exit_code, 0);
+    EXPECT_EQ(folder.render({"--no-cache"}).exit_code, 0);
+    EXPECT_THAT(folder.names(), ElementsAre("a.png", "prism.glb"));
+}
+
+TEST(compile, a_cache_folder_serves_levels_in_folders_that_are_write_protected)
+{
+    const PrismFolder folder;
+    fs::create_directory(folder.path() / "levels");
+    fs::rename(folder.model(), folder.path() / "levels" / "prism.glb");
+    fs::permissions(folder.path() / "levels", fs::perms::owner_read | fs::perms::owner_exec);
+    const auto render = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"render", folder / "levels/prism.glb", "--size", "64x64", "--out", folder / "a.png"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_program(words);
+    };
+    const ProgramResult without = render({});
+    EXPECT_EQ(without.exit_code, 0) << without.err;
+    EXPECT_THAT(without.err, HasSubstr("--cache"));
+    const ProgramResult with = render({"--cache", folder / "cache"});
+    EXPECT_EQ(with.exit_code, 0) << with.err;
+    EXPECT_THAT(with.err, testing::Not(HasSubstr("--cache")));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "cache"), fs::directory_iterator()), 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "levels"), fs::directory_iterator()), 1);
+    fs::permissions(folder.path() / "levels", fs::perms::owner_all);
+}
+
+TEST(compile, never_writes_over_what_it_reads)
+{
+    const PrismFolder folder;
+    const std::string before = bytes_of(folder.model());
+    EXPECT_EQ(run_program({"compile", folder.model(), "--out", folder.model()}).exit_code, 2);
+    EXPECT_EQ(run_program({"compile", folder.model(), "--prt", folder.model()}).exit_code, 2);
+    EXPECT_EQ(bytes_of(folder.model()), before);
+    EXPECT_FALSE(fs::exists(folder.compiled()));
+}
+
+TEST(compile, writes_portals_that_pvs_reads)
+{
+    const TemporaryFolder folder;
+    const std::string level = sealed_level(folder, "[1, 1.5, 1]");
+    ASSERT_EQ(run_program({"compile", level, "--prt", folder / "r.prt", "--json", folder / "c.json"}).exit_code, 0);
+    const ProgramResult pvs = run_program({"pvs", folder / "r.prt", "--json", folder / "p.json"});
+    ASSERT_EQ(pvs.exit_code, 0) << pvs.err;
+    EXPECT_GT(read_json(folder / "p.json")["portals"], 0);
+    EXPECT_EQ(2 * read_json(folder / "p.json")["portals"].get<int>(), read_json(folder / "c.json")["portals"]);
+}
+
+TEST(compile, has_the_same_bytes_for_any_number_of_threads)
+{
+    const TemporaryFolder folder;
+    const std::string level = sealed_level(folder, "[1, 1.5, 1]");
+    ASSERT_EQ(run_program({"compile", level, "-j", "1", "--out", folder / "one"}).exit_code, 0);
+    ASSERT_EQ(run_program({"compile", level, "-j", "2", "--out", folder / "two"}).exit_code, 0);
+    EXPECT_EQ(bytes_of(folder / "one"), bytes_of(folder / "two"));
+}
+
+TEST(leaks, of_a_sealed_level_are_named_and_drawn)
+{
+    const TemporaryFolder folder;
+    const std::string closed = sealed_level(folder, "[1, 1.5, 1]");
+    ASSERT_EQ(run_program({"check", closed, "--json", folder / "closed.json"}).exit_code, 0);
+    EXPECT_TRUE(read_json(folder / "closed.json")["leaks"].empty());
+
+    const std::string open = sealed_level(folder, "[-2, 1.5, 1]");
+    const ProgramResult result = run_program({"check", open, "--json", folder / "open.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("leak: "));
+    ASSERT_EQ(read_json(folder / "open.json")["leaks"].size(), 1u);
+}
+
+TEST(leaks, lines_are_drawn_over_the_picture)
+{
+    const TemporaryFolder folder;
+    const std::string level = sealed_level(folder, "[1, 1.5, 1]");
+    const auto picture = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"render", level,      "--size", "160x120", "--eye", "1,1.5,1", "--target", "5,1,5",
+                                       "--out",  folder / "p.png"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProgramResult result = run_program(words);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return bytes_of(folder / "p.png");
+    };
+    const std::string plain = picture({});
+    for (const char* kind : {"leaves", "portals", "pvs", "wire"}) EXPECT_NE(picture({"--show", kind}), plain) << kind;
+    EXPECT_EQ(picture({"--leak"}), plain) << "there is none";
+    EXPECT_EQ(run_program({"render", level, "--show", "walls", "--out", folder / "p.png"}).exit_code, 2);
+}
+
+TEST(render, parts_of_a_path_are_the_pictures_that_the_whole_has)
+{
+    const PrismFolder folder;
+    const auto render = [&](const std::string& out, const std::vector<std::string>& more) {
+        std::vector<std::string> words{"render", folder.model(), "--path", "turntable", "--frames", "5", "--size", "32x32",
+                                       "--out",  folder / out};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_program(words).exit_code;
+    };
+    ASSERT_EQ(render("all", {}), 0);
+    ASSERT_EQ(render("part", {"--part", "2/3"}), 0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "part"), fs::directory_iterator()), 2);
+    for (const char* name : {"frame_0001.png", "frame_0004.png"})
+        EXPECT_EQ(bytes_of(folder.path() / "part" / name), bytes_of(folder.path() / "all" / name));
+    for (const char* bad : {"0/3", "4/3", "2", "a/b", "1/3x"}) EXPECT_EQ(render("bad", {"--part", bad}), 2) << bad;
+}
