@@ -1,0 +1,503 @@
+"""Draws the pictures of docs/report/figures.md, of the README and of the styles' pages.
+
+    python3 docs/figures.py 13                          one figure
+    python3 docs/figures.py teapot --model teapot.glb   a picture of a model that is not ours
+    python3 docs/figures.py all                         all that need no model from elsewhere
+
+Needs a built Hatchway (`--hatchway PROGRAM`, build/release/bin/hatchway) and nothing but Python. Figures 4, 5, 7 and 11 show
+filters that the engine does not have: the script samples the map's levels itself.
+"""
+import argparse
+import json
+import math
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+FIGURES = os.path.join(ROOT, "docs", "report", "figures")
+GAP = 8
+
+
+# ---- Pictures: (width, height, rows of RGB bytes) ---------------------------------------------------------------------
+
+def read_png(path):
+    """Reads 8-bit gray or RGB without interlace: what Hatchway and content/source write."""
+    with open(path, "rb") as file:
+        data = file.read()
+    place, chunks, header = 8, b"", None
+    while place < len(data):
+        length, kind = struct.unpack(">I4s", data[place:place + 8])
+        body = data[place + 8:place + 8 + length]
+        if kind == b"IHDR":
+            header = struct.unpack(">IIBBBBB", body)
+        if kind == b"IDAT":
+            chunks += body
+        place += 12 + length
+    width, height, _, colour = header[:4]
+    channels = {0: 1, 2: 3}[colour]
+    raw, stride, rows = zlib.decompress(chunks), width * channels, []
+    before = bytearray(stride)
+    for y in range(height):
+        start = y * (stride + 1)
+        row = _unfiltered(raw[start], bytearray(raw[start + 1:start + 1 + stride]), before, channels)
+        rows.append(row)
+        before = row
+    if channels == 1:
+        rows = [bytearray(value for gray in row for value in (gray, gray, gray)) for row in rows]
+    return width, height, rows
+
+
+def _unfiltered(kind, row, before, step):
+    if kind == 0:
+        return row
+    for i, value in enumerate(row):
+        left = row[i - step] if i >= step else 0
+        up = before[i]
+        if kind == 1:
+            guess = left
+        elif kind == 2:
+            guess = up
+        elif kind == 3:
+            guess = (left + up) // 2
+        else:
+            corner = before[i - step] if i >= step else 0
+            p = left + up - corner
+            a, b, c = abs(p - left), abs(p - up), abs(p - corner)
+            guess = left if a <= b and a <= c else up if b <= c else corner
+        row[i] = (value + guess) & 255
+    return row
+
+
+def write_png(path, picture):
+    width, height, rows = picture
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    is_gray = all(row[0::3] == row[1::3] == row[2::3] for row in rows)
+    raw = b"".join(b"\0" + bytes(row[0::3] if is_gray else row) for row in rows)
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0 if is_gray else 2, 0, 0, 0))
+                   + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b""))
+    print(os.path.relpath(path, ROOT))
+
+
+def beside(pictures, gap=GAP):
+    height = max(picture[1] for picture in pictures)
+    rows = []
+    for y in range(height):
+        parts = [bytes(p[2][y]) if y < p[1] else b"\xff" * (3 * p[0]) for p in pictures]
+        rows.append(bytearray((b"\xff" * (3 * gap)).join(parts)))
+    return sum(p[0] for p in pictures) + gap * (len(pictures) - 1), height, rows
+
+
+def below(pictures, gap=GAP):
+    width = max(picture[0] for picture in pictures)
+    rows = []
+    for number, (own_width, _, own_rows) in enumerate(pictures):
+        if number:
+            rows += [bytearray(b"\xff" * (3 * width)) for _ in range(gap)]
+        rows += [bytearray(row + b"\xff" * (3 * (width - own_width))) for row in own_rows]
+    return width, len(rows), rows
+
+
+def part(picture, left, top, width, height):
+    return width, height, [row[3 * left:3 * (left + width)] for row in picture[2][top:top + height]]
+
+
+def enlarged(picture, times):
+    rows = []
+    for row in picture[2]:
+        wide = bytearray()
+        for i in range(0, len(row), 3):
+            wide += row[i:i + 3] * times
+        rows += [wide] * times
+    return picture[0] * times, picture[1] * times, rows
+
+
+def framed(picture):
+    black = bytearray(b"\0\0\0")
+    line = black * (picture[0] + 2)
+    return picture[0] + 2, picture[1] + 2, [line] + [black + row + black for row in picture[2]] + [line]
+
+
+# ---- Running the program ----------------------------------------------------------------------------------------------
+
+class Studio:
+    """A project of its own, with the content's models and maps, and levels as figures want them."""
+
+    def __init__(self, program):
+        self.program = program
+        self.folder = tempfile.mkdtemp(prefix="hatchway_figures_")
+        open(os.path.join(self.folder, "hatchway.project"), "w").close()
+        for name in ("maps", "models"):
+            shutil.copytree(os.path.join(ROOT, "content", name), os.path.join(self.folder, name))
+        os.mkdir(os.path.join(self.folder, "levels"))
+        self.count = 0
+
+    def run(self, *arguments):
+        result = subprocess.run([self.program, *arguments], capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            sys.exit(f"{' '.join(arguments)}\n{result.stderr}")
+        return result.stdout
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def render(self, level, *arguments, size="640x400"):
+        """Draws a level, given as the content of its file."""
+        self.count += 1
+        file = self.path("levels", f"{self.count}.level.json")
+        with open(file, "w", encoding="utf-8") as out:
+            json.dump(level, out)
+        picture = self.path(f"{self.count}.png")
+        # One picture is not worth compiling what is seen from where.
+        self.run("render", file, *arguments, "--no-pvs", "--no-cache", "--size", size, "--out", picture)
+        return read_png(picture)
+
+    def map(self, kind, *arguments):
+        self.count += 1
+        folder = self.path("maps", f"map_{self.count}")
+        self.run("map", kind, *arguments, "--out", folder)
+        return folder
+
+    def close(self):
+        shutil.rmtree(self.folder)
+
+
+def hall_level():
+    with open(os.path.join(ROOT, "content", "levels", "hall.level.json"), encoding="utf-8") as file:
+        text = re.sub(r"^\s*//.*$", "", file.read(), flags=re.M)
+    level = json.loads(text)
+    level.pop("$schema", None)
+    return level
+
+
+def hall_in(style, **params):
+    """The hall all in one style, with the maps of its materials."""
+    level = hall_level()
+    level["styles"] = {"only": {"plugin": style, **params}}
+    level["assign"] = [{"nodes": "*", "style": "only"}] + [rule for rule in level["assign"] if "materials" in rule]
+    level.pop("certainty_styles", None)
+    return level
+
+
+def ground_level(studio, side_m=400.0, **params):
+    """Level ground with texture coordinates in metres, in pen and ink."""
+    h = side_m / 2
+    floats = struct.pack("<12f", -h, 0, h, h, 0, h, h, 0, -h, -h, 0, -h)
+    floats += struct.pack("<12f", *([0, 1, 0] * 4)) + struct.pack("<8f", -h, h, h, h, h, -h, -h, -h)
+    data = floats + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    model = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "ground"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3}]}],
+        "buffers": [{"byteLength": len(data)}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
+                        {"buffer": 0, "byteOffset": 96, "byteLength": 32}, {"buffer": 0, "byteOffset": 128, "byteLength": 12}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-h, 0, -h], "max": [h, 0, h]},
+                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
+                      {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"},
+                      {"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}]}
+    text = json.dumps(model).encode()
+    text += b" " * (-len(text) % 4)
+    with open(studio.path("models", "ground.glb"), "wb") as file:
+        file.write(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(data)) + struct.pack("<II", len(text), 0x4E4F534A)
+                   + text + struct.pack("<II", len(data), 0x004E4942) + data)
+    return {"format": "hatchway-level/1", "scene": "../models/ground.glb",
+            "styles": {"ink": {"plugin": "pen_and_ink", "line_width_px": 0, "silhouette_width_px": 0, **params}},
+            "assign": [{"nodes": "*", "style": "ink"}],
+            "lights": [{"type": "sun", "direction": [0, -1, 0], "illuminance_lux": 50000}]}
+
+
+# ---- The plane of figures 4 to 8, 11 and 12 ---------------------------------------------------------------------------
+
+PLANE_SIZE, PLANE_FOV, PLANE_EYE_M, PLANE_PITCH = (640, 320), 40.0, 1.0, 19.0
+PLANE_CAMERA = ("--eye", f"0,{PLANE_EYE_M},0", "--target",
+                f"0,{PLANE_EYE_M - math.sin(math.radians(PLANE_PITCH))},{-math.cos(math.radians(PLANE_PITCH))}",
+                "--fov-deg", str(PLANE_FOV))
+INK = 61 / 255  # of hatch_colour, sRGB
+
+
+def map_levels(folder):
+    levels = []
+    while os.path.exists(os.path.join(folder, f"level_{len(levels)}.png")):
+        width, height, rows = read_png(os.path.join(folder, f"level_{len(levels)}.png"))
+        levels.append((width, height, [[value / 255 for value in row[0::3]] for row in rows]))
+    return levels
+
+
+def box_filtered(levels):
+    result = [levels[0]]
+    while result[-1][0] > 1:
+        width, height, rows = result[-1]
+        above = rows if height > 1 else [rows[0], rows[0]]
+        result.append((width // 2, max(height // 2, 1),
+                       [[(above[2 * y][2 * x] + above[2 * y][2 * x + 1] + above[2 * y + 1][2 * x] + above[2 * y + 1][2 * x + 1]) / 4
+                         for x in range(width // 2)] for y in range(max(height // 2, 1))]))
+    return result
+
+
+def texel(level, u, v):
+    width, height, rows = level
+    return rows[math.floor(v * height) % height][math.floor(u * width) % width]
+
+
+def smooth_texel(level, u, v):
+    width, height, _ = level
+    x, y = u * width - 0.5, v * height - 0.5
+    fx, fy = x - math.floor(x), y - math.floor(y)
+
+    def at(dx, dy):
+        return level[2][(math.floor(y) + dy) % height][(math.floor(x) + dx) % width]
+    upper = at(0, 0) * (1 - fx) + at(1, 0) * fx
+    return upper if height == 1 else upper * (1 - fy) + (at(0, 1) * (1 - fx) + at(1, 1) * fx) * fy
+
+
+def plane(levels, map_m, choose):
+    """The ground in perspective. `choose(level, u, v)` gives the paper at a level that is a real number."""
+    width, height = PLANE_SIZE
+    focal = height / 2 / math.tan(math.radians(PLANE_FOV / 2))
+    sin, cos = math.sin(math.radians(PLANE_PITCH)), math.cos(math.radians(PLANE_PITCH))
+    rows = []
+    for j in range(height):
+        row = bytearray()
+        y = (height / 2 - j - 0.5) / focal
+        down = sin - y * cos
+        for i in range(width):
+            paper = 1.0
+            if down > 0.01:
+                x = (i + 0.5 - width / 2) / focal
+                far = PLANE_EYE_M / down
+                forward = cos + y * sin
+                u, v = x * far / map_m, -forward * far / map_m
+                along_x = far / focal / map_m
+                along_y = far * far / focal / PLANE_EYE_M / map_m
+                step = along_x if levels[0][1] == 1 else max(along_x, along_y / 2)
+                if levels[0][1] == 1:
+                    step = math.hypot(along_x, abs(u) * along_y / max(forward * far / map_m, 1e-9))
+                paper = choose(math.log2(max(step * levels[0][0], 1e-9)), u, v)
+            linear = paper + (1 - paper) * INK ** 2.2
+            row += bytes((round(255 * linear ** (1 / 2.2)),)) * 3
+        rows.append(row)
+    return width, height, rows
+
+
+def unfiltered(levels):
+    return lambda level, u, v: texel(levels[0], u, v)
+
+
+def nearest_level(levels):
+    return lambda level, u, v: smooth_texel(levels[min(max(round(level), 0), len(levels) - 1)], u, v)
+
+
+def between_levels(levels):
+    def choose(level, u, v):
+        level = min(max(level, 0), len(levels) - 1)
+        finer = min(int(level), len(levels) - 2)
+        return smooth_texel(levels[finer], u, v) * (1 - level + finer) + smooth_texel(levels[finer + 1], u, v) * (level - finer)
+    return choose
+
+
+HATCH_M = 7.4  # width of the hatch map on the plane: a texel is a pixel at the lower edge
+
+
+def hatch_levels():
+    return map_levels(os.path.join(ROOT, "content", "maps", "hatch", "fine"))
+
+
+def figure_4(studio):
+    return framed(plane(hatch_levels(), HATCH_M, unfiltered(hatch_levels())))
+
+
+def figure_5(studio):
+    levels = box_filtered(hatch_levels())
+    return framed(plane(levels, HATCH_M, between_levels(levels)))
+
+
+def figure_7(studio):
+    return framed(plane(hatch_levels(), HATCH_M, nearest_level(hatch_levels())))
+
+
+def figure_8(studio):
+    level = ground_level(studio, tone="plain", hatch="../maps/hatch/fine", hatch_deg=90, spacing_px=8)
+    return framed(studio.render(level, *PLANE_CAMERA, size="640x320"))
+
+
+# ---- Ink maps ---------------------------------------------------------------------------------------------------------
+
+INK_M = 1.8
+
+
+def drawing():
+    return os.path.join(ROOT, "content", "maps", "ink", "stone_courses", "level_0.png")
+
+
+def level_strip(folder):
+    pictures = []
+    for number in range(4):
+        width, height, rows = read_png(os.path.join(folder, f"level_{number}.png"))
+        pictures.append(framed(part(enlarged((width, height, rows), 1 << number), 0, 0, 256, 256)))
+    return beside(pictures)
+
+
+def figure_9(studio):
+    """Above minimum filtering, below the same drawing inked anew; levels 0 to 3, enlarged to one size."""
+    filtered = studio.map("ink", drawing(), "--filter", "minimum")
+    inked = studio.map("ink", drawing())
+    return below([level_strip(filtered), level_strip(inked)], 2 * GAP)
+
+
+def figure_9_plane(studio):
+    """The two maps on a plane: left minimum filtering, right inked anew."""
+    pictures = []
+    for arguments in (("--filter", "minimum"), ()):
+        folder = studio.map("ink", drawing(), "--size-m", "1", *arguments)
+        level = ground_level(studio, tone="none", ink="../maps/" + os.path.basename(folder), ink_map_detail=0.5)
+        pictures.append(framed(part(studio.render(level, *PLANE_CAMERA, size="640x320"), 0, 0, 440, 320)))
+    return beside(pictures)
+
+
+def figure_11(studio):
+    levels = map_levels(os.path.join(ROOT, "content", "maps", "ink", "stone_courses"))
+    return framed(plane(levels, INK_M, nearest_level(levels)))
+
+
+def figure_12(studio):
+    level = ground_level(studio, tone="none", ink="../maps/ink/stone_courses", ink_map_detail=0.5)
+    return framed(studio.render(level, *PLANE_CAMERA, size="640x320"))
+
+
+# ---- The hall ---------------------------------------------------------------------------------------------------------
+
+def figure_13(studio):
+    return framed(studio.render(hall_level(), "--camera", "columns", size="800x520"))
+
+
+def figure_14(studio):
+    camera = ("--camera", "statue")
+    plain = studio.render(hall_in("pen_and_ink", tone="plain", spacing_px=6), *camera, size="420x560")
+    shaded = studio.render(hall_in("pen_and_ink", **INDOORS), *camera, size="420x560")
+    return beside([framed(plain), framed(shaded)])
+
+
+INDOORS = {"white_from": 0.70, "shadow_below": 0.28}
+
+
+def figure_15(studio):
+    """Left ordinary levels, right ink maps, of the roofs and walls of one view."""
+    camera = ("--camera", "courtyard")
+    right = studio.render(hall_in("pen_and_ink", tone="none"), *camera, size="800x520")
+    for name in os.listdir(studio.path("maps", "ink")):
+        folder = studio.path("maps", "ink", name)
+        for number, (width, height, rows) in enumerate(box_filtered(map_levels(folder))):
+            gray = [bytearray(value for texel_value in row for value in (round(255 * texel_value),) * 3) for row in rows]
+            if os.path.exists(os.path.join(folder, f"level_{number}.png")):
+                write_png_quietly(os.path.join(folder, f"level_{number}.png"), (width, height, gray))
+    left = studio.render(hall_in("pen_and_ink", tone="none"), *camera, size="800x520")
+    return framed(beside([part(left, 0, 0, 400, 520), part(right, 400, 0, 400, 520)], 0))
+
+
+def write_png_quietly(path, picture):
+    out = sys.stdout
+    with open(os.devnull, "w", encoding="ascii") as sys.stdout:
+        write_png(path, picture)
+    sys.stdout = out
+
+
+# ---- Models that are not ours -----------------------------------------------------------------------------------------
+
+def model_level(studio, model, style, light, exposure_ev):
+    name = os.path.basename(model)
+    shutil.copy(model, studio.path("models", name))
+    return {"format": "hatchway-level/1", "scene": f"../models/{name}", "styles": {"ink": {"plugin": "pen_and_ink", **style}},
+            "assign": [{"nodes": "*", "style": "ink"}], "exposure_ev": exposure_ev,
+            "lights": [{"type": "sun", "direction": light, "illuminance_lux": 50000}]}
+
+
+def teapot(studio, model):
+    level = model_level(studio, model, {"hatch_direction": "principal", "hatch_deg": 0, "cross_deg": 62, "white_from": 0.95,
+                                        "shadow_below": 0.2, "darkness": 0.75, "stroke_width_px": 0.9, "stroke_length_px": 60,
+                                        "crease_deg": 60}, [-0.75, -0.75, -0.35], 14.3)
+    return studio.render(level, size="1000x640")
+
+
+def dungeon(studio, model):
+    level = model_level(studio, model, {"crease_deg": 40}, [-0.55, -0.75, -0.4], 14.0)
+    return studio.render(level, size="1000x640")
+
+
+# ---- Contact sheets ---------------------------------------------------------------------------------------------------
+
+SHEET_SIZE = "236x150"
+INK_CONTROLS = {
+    "colours": [{}, {"paper_colour": "#f3ead2", "ink_colour": "#4a2c12", "hatch_colour": "#6b4a2a"},
+                {"paper_colour": "#1d2733", "ink_colour": "#f2f2ea", "hatch_colour": "#c9d2da"}],
+    "from_material": [{}, {"paper_from_material": 0.8}, {"ink_from_material": 1}],
+    "certainty": [{}, {"uncertain_colour": "#cfe0f2"}, {"uncertain_colour": "#f4c9a8"}],
+    "tone_range": [{"white_from": 0.5, "shadow_below": 0.2}, {}, {"white_from": 1, "shadow_below": 0.5, "darkness": 0.9}],
+    "light_response": [{"light_response": 0}, {"light_response": 0.5}, {}],
+    "fade": [{}, {"fade": "height", "fade_from_m": 0, "fade_to_m": 4}, {"fade": "height", "fade_from_m": 4, "fade_to_m": 0}],
+    "hatch_direction": [{"hatch_deg": 0, "cross_deg": 90}, {}, {"hatch_direction": "principal", "hatch_deg": 0}],
+    "tone": [{"tone": "plain"}, {}, {"tone": "halftone"}],
+    "strokes": [{"spacing_px": 3, "stroke_width_px": 0.5}, {}, {"spacing_px": 9, "stroke_width_px": 1.6, "stroke_length_px": 0}],
+    "lines": [{"line_width_px": 0, "silhouette_width_px": 1}, {}, {"line_width_px": 2.4, "silhouette_width_px": 4}],
+    "ink_map": [{"ink_map_strength": 0}, {"ink_map_detail": 0}, {"ink_map_detail": 2}],
+}
+HYBRID_CONTROLS = {
+    "gradient": [{"gradient": "none", "ink_weight": 0.5}, {"gradient": "height", "from_m": 0.5, "to_m": 3}, {}],
+    "tint": [{}, {"tint": "#cfe0f2"}, {"tint": "#f4c9a8"}],
+    "colours": [{}, {"ink_colour": "#4a2c12", "hatch_colour": "#6b4a2a", "tint": "#f3ead2"}, {"paper_from_material": 0.8}],
+    "certainty": [{}, {"uncertain_colour": "#cfe0f2"}, {"uncertain_colour": "#f4c9a8"}],
+    "tone_range": [{"white_from": 0.5, "shadow_below": 0.2}, {}, {"white_from": 1, "shadow_below": 0.5, "darkness": 0.9}],
+    "light_response": [{"light_response": 0}, {"light_response": 0.5}, {}],
+    "hatch_direction": [{"hatch_deg": 0}, {}, {"hatch_direction": "principal", "hatch_deg": 0}],
+}
+
+
+def contact_sheets(studio):
+    for style, controls, camera in (("pen_and_ink", INK_CONTROLS, "well"), ("hybrid", HYBRID_CONTROLS, "well")):
+        for name, choices in controls.items():
+            pictures = []
+            for params in choices:
+                level = hall_in(style, **params)
+                level["assign"].append({"nodes": "*", "certainty": 0.3})
+                level["assign"].append({"nodes": "Courtyard/Well", "certainty": 1.0})
+                pictures.append(studio.render(level, "--camera", camera, size=SHEET_SIZE))
+            write_png(os.path.join(ROOT, "npr_plugins", style, "controls", f"{name}.png"), beside(pictures, 4))
+
+
+OURS = {"4": figure_4, "5": figure_5, "7": figure_7, "8": figure_8, "9": figure_9, "9_plane": figure_9_plane, "11": figure_11,
+        "12": figure_12, "13": figure_13, "14": figure_14, "15": figure_15}
+MODELS = {"teapot": teapot, "dungeon": dungeon}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="+", choices=[*OURS, *MODELS, "controls", "all"])
+    parser.add_argument("--hatchway", default=os.path.join(ROOT, "build", "release", "bin", "hatchway"))
+    parser.add_argument("--model")
+    arguments = parser.parse_args()
+    names = [*OURS, "controls"] if "all" in arguments.names else arguments.names
+    for name in names:
+        studio = Studio(arguments.hatchway)
+        try:
+            if name == "controls":
+                contact_sheets(studio)
+            elif name in MODELS:
+                if not arguments.model:
+                    parser.error(f"{name} needs --model FILE.glb")
+                write_png(os.path.join(ROOT, "docs", "pictures", f"{name}.png"), MODELS[name](studio, arguments.model))
+            else:
+                write_png(os.path.join(FIGURES, f"figure_{name}.png"), OURS[name](studio))
+        finally:
+            studio.close()
+
+
+if __name__ == "__main__":
+    main()
