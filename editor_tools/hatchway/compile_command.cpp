@@ -72,14 +72,14 @@ void compile(const CompileArguments& arguments)
     options.threads = arguments.threads;
     const CompiledLevel compiled = compile_world(level, *world, options);
     keep_compiled_level(out, compiled, world->chunks);
-    if (!arguments.prt.empty())
-        write_file_atomically(arguments.prt, portal_file_text(compiled.visibility.portals));
+    if (!arguments.prt.empty()) write_file_atomically(arguments.prt, portal_file_text(compiled.visibility.portals));
     if (!arguments.json.empty()) write_json(arguments.json, result_json(out, compiled));
     const VisibilityStats& stats = compiled.visibility.stats;
-    std::cout << fmt::format("{}: {} leaves in {} clusters, {} portals ({} coarse); {:.1f} % of the triangles may be "
-                             "seen from a cluster; {} bytes, {:.2f} s\n",
-                             out.string(), stats.leaves, stats.clusters, stats.portals, stats.coarse_portals,
-                             100.0 * stats.average_visible_share, fs::file_size(out), stats.seconds);
+    std::cout << fmt::format(
+        "{}: {} leaves in {} clusters, {} portals ({} coarse); {:.1f} % of the triangles may be "
+        "seen from a cluster; {} bytes, {:.2f} s\n",
+        out.string(), stats.leaves, stats.clusters, stats.portals, stats.coarse_portals,
+        100.0 * stats.average_visible_share, fs::file_size(out), stats.seconds);
 }
 
 }  // namespace
@@ -95,7 +95,9 @@ void add_compile_command(CLI::App& app)
         ->check(one_of({"fast", "full", "exact"}));
     command->add_option("--out", arguments->out, "The file; where walk and render find it")->option_text("FILE");
     add_cache_argument(*command, arguments->cache);
-    command->add_option("--prt", arguments->prt, "Write the portals as a Quake portal file, too: PRT1 text, 32 units a metre")
+    command
+        ->add_option("--prt", arguments->prt,
+                     "Write the portals as a Quake portal file, too: PRT1 text, 32 units a metre")
         ->option_text("FILE");
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { compile(*arguments); });

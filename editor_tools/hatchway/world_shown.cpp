@@ -29,9 +29,8 @@ std::string leak_text(const Leak& leak)
     const auto place = [](const glm::dvec3& p) { return fmt::format("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z); };
     if (leak.points_world.size() < 2)
         return fmt::format("leak: {} at {} lies outside", leak.from, place(leak.opening_world));
-    std::string text =
-        fmt::format("leak: from {} through an opening of {:.3g} m2 at {}", leak.from, leak.opening_m2,
-                    place(leak.opening_world));
+    std::string text = fmt::format("leak: from {} through an opening of {:.3g} m2 at {}", leak.from, leak.opening_m2,
+                                   place(leak.opening_world));
     if (!leak.near_node.empty()) text += fmt::format(" near \"{}\"", leak.near_node);
     constexpr std::size_t kMostTold = 12;
     text += ", by way of";

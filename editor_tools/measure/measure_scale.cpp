@@ -150,6 +150,16 @@ JsonValue row_json(const Row& row)
     return json;
 }
 
+std::string row_text(const Row& row)
+{
+    return fmt::format(
+        "{:4} rooms, {:5} objects, {:8} triangles: open {:.2f} s (compile {:.2f}), again {:.2f} s, "
+        "{:.0f} MiB; frame {:.2f} ms (visibility {:.2f}), {} triangles; {:.4f} % of pixels unlike "
+        "without PVS\n",
+        row.level.rooms, row.level.objects, row.level.triangles, row.open_s, row.compile_s, row.open_again_s,
+        row.resident_mib, row.frame_ms, row.visibility_ms, row.frame_triangles, 100.0 * row.differing_share);
+}
+
 void measure_scale(const ScaleArguments& arguments)
 {
     const glm::ivec2 size = parse_size(arguments.size);
@@ -167,16 +177,8 @@ void measure_scale(const ScaleArguments& arguments)
     JsonValue json_rows = JsonValue::array();
     for (const int rooms : arguments.rooms) {
         rows.push_back(measure_rooms(*context, arguments, folder.path, rooms));
-        const Row& row = rows.back();
-        std::cout << fmt::format(
-                         "{:4} rooms, {:5} objects, {:8} triangles: open {:.2f} s (compile {:.2f}), again {:.2f} s, "
-                         "{:.0f} MiB; frame {:.2f} ms (visibility {:.2f}), {} triangles; {:.4f} % of pixels unlike "
-                         "without PVS\n",
-                         row.level.rooms, row.level.objects, row.level.triangles, row.open_s, row.compile_s,
-                         row.open_again_s, row.resident_mib, row.frame_ms, row.visibility_ms, row.frame_triangles,
-                         100.0 * row.differing_share)
-                  << std::flush;
-        json_rows.push(row_json(row));
+        std::cout << row_text(rows.back()) << std::flush;
+        json_rows.push(row_json(rows.back()));
     }
     const auto triangles = [](const Row& row) { return static_cast<double>(row.level.triangles); };
     const double compile = log_slope(rows, triangles, [](const Row& row) { return row.compile_s; });

@@ -33,7 +33,8 @@ struct CompiledLevel {
     Visibility visibility;
 };
 
-/// The bytes of a compiled level: one FlatBuffer, see compiled_level.fbs. `chunks_of_mesh` as build_visibility() had it.
+/// The bytes of a compiled level: one FlatBuffer, see compiled_level.fbs. `chunks_of_mesh` as build_visibility() had
+/// it.
 std::vector<std::byte> compiled_level_bytes(const CompiledLevel& level, std::span<const MeshChunks> chunks_of_mesh);
 
 /// Reads a compiled level. Verifies the FlatBuffer and its hash, then every count, index, range and number, also that

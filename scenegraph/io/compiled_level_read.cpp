@@ -41,8 +41,7 @@ class WorldReader {
         visibility.rows = rows(*world_.cluster_rows(), clusters, clusters);
         visibility.slot_rows = rows(*world_.slot_rows(), clusters, static_cast<int>(visibility.slots.size()));
         read_portals(visibility.portals);
-        for (const stored::Space* space : *world_.cluster_boxes())
-            visibility.cluster_boxes.push_back(box(*space));
+        for (const stored::Space* space : *world_.cluster_boxes()) visibility.cluster_boxes.push_back(box(*space));
         read_stats(visibility);
         return level;
     }
@@ -56,7 +55,8 @@ class WorldReader {
     glm::dvec3 point(const stored::Point& p, double most) const
     {
         const glm::dvec3 result(p.x(), p.y(), p.z());
-        for (int axis = 0; axis < 3; ++axis) require(std::abs(result[axis]) <= most, "a place is no number, or far off");
+        for (int axis = 0; axis < 3; ++axis)
+            require(std::abs(result[axis]) <= most, "a place is no number, or far off");
         return result;
     }
 
@@ -85,7 +85,8 @@ class WorldReader {
         tree.bounds_world = box(*world_.bounds());
         require(!tree.bounds_world.is_empty(), "the bounds are impossible");
         const std::uint32_t leaves = world_.cluster_of_leaf()->size();
-        require(leaves == static_cast<std::uint64_t>(world_.nodes()->size()) + 1, "the tree has another number of leaves");
+        require(leaves == static_cast<std::uint64_t>(world_.nodes()->size()) + 1,
+                "the tree has another number of leaves");
         require(world_.cluster_boxes()->size() >= 1 && world_.cluster_boxes()->size() <= kMostClusters,
                 "the number of clusters is impossible");
         tree.leaf_count = static_cast<int>(leaves);
@@ -102,12 +103,12 @@ class WorldReader {
     ExactPlane plane(const stored::Plane& p) const
     {
         const std::array<std::int64_t, 3> normal{p.normal_x(), p.normal_y(), p.normal_z()};
-        for (const std::int64_t n : normal) require(n > -kMostNormal && n < kMostNormal, "a plane's normal is too large");
+        for (const std::int64_t n : normal)
+            require(n > -kMostNormal && n < kMostNormal, "a plane's normal is too large");
         require(normal != std::array<std::int64_t, 3>{}, "a plane has no normal");
         require(p.offset_high() >= -kMostOffsetHigh && p.offset_high() < kMostOffsetHigh, "a plane is too far off");
-        const Int128 offset =
-            static_cast<Int128>(static_cast<unsigned __int128>(static_cast<std::uint64_t>(p.offset_high())) << 64 |
-                                p.offset_low());
+        const Int128 offset = static_cast<Int128>(
+            static_cast<unsigned __int128>(static_cast<std::uint64_t>(p.offset_high())) << 64 | p.offset_low());
         ExactPlane result = make_plane(normal, offset);
         require(result.normal == normal && result.offset == offset, "a plane is not in lowest terms");
         return result;

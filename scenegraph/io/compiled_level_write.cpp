@@ -12,7 +12,10 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-stored::Point stored_point(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+stored::Point stored_point(const glm::dvec3& p)
+{
+    return {p.x, p.y, p.z};
+}
 
 stored::Space stored_space(const Box& box)
 {

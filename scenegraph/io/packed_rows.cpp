@@ -6,7 +6,10 @@ namespace {
 constexpr std::uint8_t kPlainBits = 0;
 constexpr std::uint8_t kRuns = 1;
 
-std::size_t byte_count(int columns) { return (static_cast<std::size_t>(columns) + 7) / 8; }
+std::size_t byte_count(int columns)
+{
+    return (static_cast<std::size_t>(columns) + 7) / 8;
+}
 
 void add_length(std::vector<std::uint8_t>& bytes, std::uint32_t length)
 {

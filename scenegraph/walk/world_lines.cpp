@@ -104,8 +104,8 @@ void add_box(Lines& lines, const Box& box, const glm::dmat4& world_from_object, 
     for (int i = 0; i < 8; ++i)
         for (const int axis : {1, 2, 4})
             if ((i & axis) == 0)
-                lines.push_back({corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(i | axis)],
-                                 colour, 1.0f});
+                lines.push_back(
+                    {corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(i | axis)], colour, 1.0f});
 }
 
 void add_wire(Lines& lines, const MeshData& mesh, const MeshChunk& chunk, const glm::dmat4& world_from_object)

@@ -34,7 +34,8 @@ std::vector<WorldLine> visibility_lines(const LevelWorld& world, const WorldLine
 /// The ways out of a level that ought to be sealed, a cross at each hole.
 std::vector<WorldLine> leak_lines(std::span<const Leak> leaks);
 
-/// Lines as the view shows them, in logical pixels of a picture of `size_px` (logical). What lies behind the eye is cut.
+/// Lines as the view shows them, in logical pixels of a picture of `size_px` (logical). What lies behind the eye is
+/// cut.
 std::vector<OverlayLine> projected(std::span<const WorldLine> lines, const View& view, const glm::vec2& size_px);
 
 }  // namespace hw

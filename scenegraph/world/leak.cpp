@@ -27,7 +27,7 @@ struct Way {
 };
 
 struct Rooms {
-    BspTree tree;
+    BspBuild build;
     std::vector<std::vector<Way>> ways;    ///< By leaf.
     std::vector<std::uint8_t> is_outside;  ///< By leaf.
 };
@@ -48,7 +48,8 @@ glm::dvec3 middle_of(const std::vector<glm::dvec3>& winding)
 }
 
 /// The way through the largest of the openings; its area is that of all.
-void add_way(Rooms& rooms, int from, int to, const glm::dvec3& out, const std::vector<std::vector<glm::dvec3>>& openings)
+void add_way(Rooms& rooms, int from, int to, const glm::dvec3& out,
+             const std::vector<std::vector<glm::dvec3>>& openings)
 {
     if (openings.empty()) return;
     Way way{.to = to, .out = out};
@@ -58,7 +59,7 @@ void add_way(Rooms& rooms, int from, int to, const glm::dvec3& out, const std::v
         way.area_m2 += area;
         if (area <= largest) continue;
         largest = area;
-        way.middle = rooms.tree.grid.origin_world + middle_of(opening);
+        way.middle = rooms.build.tree.grid.origin_world + middle_of(opening);
     }
     rooms.ways[static_cast<std::size_t>(from)].push_back(way);
 }
@@ -75,14 +76,15 @@ Rooms make_rooms(const Scene& scene, const Level& level)
                                structure.box_min, structure.box_max);
     const std::vector<LeafContact> contacts = leaf_contacts(build);
     Rooms rooms;
-    rooms.tree = std::move(build.tree);
-    rooms.ways.resize(static_cast<std::size_t>(rooms.tree.leaf_count));
+    rooms.build = std::move(build);
+    const BspTree& tree = rooms.build.tree;
+    rooms.ways.resize(static_cast<std::size_t>(tree.leaf_count));
     rooms.is_outside.resize(rooms.ways.size(), contacts.empty() ? 1 : 0);
-    const glm::dvec3 low = rooms.tree.bounds_world.min - rooms.tree.grid.origin_world;
-    const glm::dvec3 high = rooms.tree.bounds_world.max - rooms.tree.grid.origin_world;
-    const double near = 2.0 * rooms.tree.grid.step_m;
+    const glm::dvec3 low = tree.bounds_world.min - tree.grid.origin_world;
+    const glm::dvec3 high = tree.bounds_world.max - tree.grid.origin_world;
+    const double near = 2.0 * tree.grid.step_m;
     for (const LeafContact& contact : contacts) {
-        const glm::dvec3& normal = rooms.tree.nodes[contact.node].plane.unit_normal;
+        const glm::dvec3& normal = tree.nodes[contact.node].plane.unit_normal;
         add_way(rooms, contact.front_leaf, contact.back_leaf, -normal, contact.backward);
         add_way(rooms, contact.back_leaf, contact.front_leaf, normal, contact.forward);
         for (int axis = 0; axis < 3; ++axis) {
@@ -117,8 +119,8 @@ struct Arrival {
 struct Search {
     const Rooms& rooms;
     const std::vector<Hole>& told;
-    double least_m2 = 0.0;      ///< Ways narrower than this are not gone.
-    bool wants_wide = false;    ///< Cost is minus the narrowest opening so far, else metres.
+    double least_m2 = 0.0;    ///< Ways narrower than this are not gone.
+    bool wants_wide = false;  ///< Cost is minus the narrowest opening so far, else metres.
     std::vector<Arrival> arrivals;
 
     /// The outside leaf of least cost, or kNoLeaf. Dijkstra.
@@ -138,8 +140,8 @@ struct Search {
             if (rooms.is_outside[static_cast<std::size_t>(leaf)]) return leaf;
             for (const Way& way : rooms.ways[static_cast<std::size_t>(leaf)]) {
                 if (way.area_m2 < least_m2 || is_told(told, way)) continue;
-                const double next = wants_wide ? std::max(cost, -way.area_m2)
-                                               : cost + glm::distance(here.point, way.middle);
+                const double next =
+                    wants_wide ? std::max(cost, -way.area_m2) : cost + glm::distance(here.point, way.middle);
                 Arrival& there = arrivals[static_cast<std::size_t>(way.to)];
                 if (next >= there.cost) continue;
                 there = {next, leaf, &way, way.middle};
@@ -170,6 +172,53 @@ std::string node_near(const Scene& scene, const glm::dvec3& point)
     return best == nullptr ? "" : scene.nodes[static_cast<std::size_t>(best->node)].path;
 }
 
+bool covers(const PlanePolygon& polygon, const glm::dvec3& normal, const glm::dvec3& point)
+{
+    bool has_left = false, has_right = false;
+    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+        const glm::dvec3& a = polygon.corners[i];
+        const glm::dvec3& b = polygon.corners[(i + 1) % polygon.corners.size()];
+        const double side = glm::dot(glm::cross(b - a, point - a), normal);
+        has_left |= side > 0.0;
+        has_right |= side < 0.0;
+    }
+    return !(has_left && has_right);
+}
+
+/// Whether nothing blocks the straight line between two places, in grid units. By rounded numbers: it serves drawing.
+bool is_free(const BspBuild& build, int child, const glm::dvec3& from, const glm::dvec3& to)
+{
+    if (child < 0) return true;
+    const BspNode& node = build.tree.nodes[static_cast<std::size_t>(child)];
+    const double at_from = node.plane.distance(from);
+    const double at_to = node.plane.distance(to);
+    if ((at_from > 0.0) == (at_to > 0.0)) return is_free(build, at_from > 0.0 ? node.front : node.back, from, to);
+    const glm::dvec3 middle = from + (to - from) * (at_from / (at_from - at_to));
+    for (const BlockingPolygon& polygon : build.polygons_of_node[static_cast<std::size_t>(child)]) {
+        const bool blocks = at_from > 0.0 ? polygon.blocks_from_front : polygon.blocks_from_back;
+        if (blocks && covers(polygon.polygon, node.plane.unit_normal, middle)) return false;
+    }
+    return is_free(build, at_from > 0.0 ? node.front : node.back, from, middle) &&
+           is_free(build, at_from > 0.0 ? node.back : node.front, middle, to);
+}
+
+/// The same way with fewer corners; those at `kept` stay.
+std::vector<glm::dvec3> straightened(const BspBuild& build, const std::vector<glm::dvec3>& points, std::size_t kept)
+{
+    const auto in_grid = [&](const glm::dvec3& p) {
+        return (p - build.tree.grid.origin_world) / build.tree.grid.step_m;
+    };
+    const int root = build.tree.nodes.empty() ? ~0 : 0;
+    std::vector<glm::dvec3> result{points.front()};
+    for (std::size_t at = 0; at + 1 < points.size();) {
+        std::size_t next = at < kept ? kept : points.size() - 1;
+        while (next > at + 1 && !is_free(build, root, in_grid(points[at]), in_grid(points[next]))) --next;
+        result.push_back(points[next]);
+        at = next;
+    }
+    return result;
+}
+
 Leak leak_along(const Search& search, int outside, const InsidePlace& place, const Scene& scene)
 {
     Leak leak;
@@ -186,6 +235,9 @@ Leak leak_along(const Search& search, int outside, const InsidePlace& place, con
     leak.points_world.push_back(place.position_world);
     std::reverse(leak.points_world.begin(), leak.points_world.end());
     leak.opening_world = narrowest == nullptr ? place.position_world : narrowest->middle;
+    const auto hole = std::find(leak.points_world.begin(), leak.points_world.end(), leak.opening_world);
+    leak.points_world =
+        straightened(search.rooms.build, leak.points_world, static_cast<std::size_t>(hole - leak.points_world.begin()));
     leak.opening_m2 = narrowest == nullptr ? 0.0 : narrowest->area_m2;
     leak.near_node = node_near(scene, leak.opening_world);
     return leak;
@@ -210,7 +262,7 @@ std::vector<Leak> find_leaks(const Scene& scene, const Level& level, std::span<c
     std::vector<Leak> leaks;
     std::vector<Hole> told;
     for (const InsidePlace& place : places) {
-        const int start = leaf_at(rooms.tree, place.position_world);
+        const int start = leaf_at(rooms.build.tree, place.position_world);
         if (start == kNoLeaf) {
             leaks.push_back({place.name, {place.position_world}, place.position_world, 0.0, ""});
             continue;
@@ -224,8 +276,8 @@ std::vector<Leak> find_leaks(const Scene& scene, const Level& level, std::span<c
             const int end = shortest.run(start, place.position_world);
             leaks.push_back(leak_along(shortest, end == kNoLeaf ? outside : end, place, scene));
             if (leaks.back().points_world.size() < 2 || leaks.back().opening_m2 <= 0.0) break;
-            told.push_back({leaks.back().opening_world,
-                            std::max(kLeastHoleReach_m, 1.5 * std::sqrt(leaks.back().opening_m2))});
+            told.push_back(
+                {leaks.back().opening_world, std::max(kLeastHoleReach_m, 1.5 * std::sqrt(leaks.back().opening_m2))});
         }
     }
     return leaks;

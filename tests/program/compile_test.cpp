@@ -16,7 +16,10 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-json read_json(const fs::path& file) { return json::parse(bytes_of(file)); }
+json read_json(const fs::path& file)
+{
+    return json::parse(bytes_of(file));
+}
 
 /// A folder with prism.glb.
 struct PrismFolder : TemporaryFolder {
@@ -25,7 +28,8 @@ struct PrismFolder : TemporaryFolder {
     fs::path compiled() const { return path() / ".hatchway" / "prism.glb.compiled"; }
     ProgramResult render(const std::vector<std::string>& more = {}, const std::string& picture = "a.png") const
     {
-        std::vector<std::string> words{"render", model(), "--size", "64x64", "--samples", "1", "--out", *this / picture};
+        std::vector<std::string> words{"render",    model(), "--size", "64x64",
+                                       "--samples", "1",     "--out",  *this / picture};
         words.insert(words.end(), more.begin(), more.end());
         return run_program(words);
     }
@@ -36,9 +40,10 @@ std::string sealed_level(const TemporaryFolder& folder, const std::string& start
 {
     const ProgramResult made = run_program({"measure", "scale", "--rooms", "2", "--write", folder / "rooms.glb"});
     EXPECT_EQ(made.exit_code, 0) << made.err;
-    return folder.write("rooms.level.json",
-                        R"({"format": "hatchway-level/1", "scene": "rooms.glb", "sealed": true, "start": {"position": )" +
-                            start + R"(, "look_at": [3, 1, 3]}})");
+    return folder.write(
+        "rooms.level.json",
+        R"({"format": "hatchway-level/1", "scene": "rooms.glb", "sealed": true, "start": {"position": )" + start +
+            R"(, "look_at": [3, 1, 3]}})");
 }
 
 }  // namespace
@@ -86,7 +91,8 @@ TEST(compile, a_cache_folder_serves_levels_in_folders_that_are_write_protected)
     fs::rename(folder.model(), folder.path() / "levels" / "prism.glb");
     fs::permissions(folder.path() / "levels", fs::perms::owner_read | fs::perms::owner_exec);
     const auto render = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> words{"render", folder / "levels/prism.glb", "--size", "64x64", "--out", folder / "a.png"};
+        std::vector<std::string> words{"render",        folder / "levels/prism.glb", "--size", "64x64", "--out",
+                                       folder / "a.png"};
         words.insert(words.end(), more.begin(), more.end());
         return run_program(words);
     };
@@ -150,8 +156,8 @@ TEST(leaks, lines_are_drawn_over_the_picture)
     const TemporaryFolder folder;
     const std::string level = sealed_level(folder, "[1, 1.5, 1]");
     const auto picture = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> words{"render", level,      "--size", "160x120", "--eye", "1,1.5,1", "--target", "5,1,5",
-                                       "--out",  folder / "p.png"};
+        std::vector<std::string> words{"render",  level,      "--size", "160x120", "--eye",
+                                       "1,1.5,1", "--target", "5,1,5",  "--out",   folder / "p.png"};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramResult result = run_program(words);
         EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -167,8 +173,8 @@ TEST(render, parts_of_a_path_are_the_pictures_that_the_whole_has)
 {
     const PrismFolder folder;
     const auto render = [&](const std::string& out, const std::vector<std::string>& more) {
-        std::vector<std::string> words{"render", folder.model(), "--path", "turntable", "--frames", "5", "--size", "32x32",
-                                       "--out",  folder / out};
+        std::vector<std::string> words{"render", folder.model(), "--path", "turntable", "--frames",
+                                       "5",      "--size",       "32x32",  "--out",     folder / out};
         words.insert(words.end(), more.begin(), more.end());
         return run_program(words).exit_code;
     };
