@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "core/error.hpp"
 #include "gl/context.hpp"
 #include "gl/gpu_program.hpp"
+#include "temporary_folder.hpp"
 
 namespace hw {
 namespace {
@@ -20,20 +19,15 @@ using testing::HasSubstr;
 /// Two folders of shaders that go with the test.
 class ShaderFolders : public testing::Test {
  protected:
-    ShaderFolders()
+    ShaderFolders() : folders_{root_.path() / "style", root_.path() / "shared"}
     {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / ("hatchway_shader_text_" + std::string(info->name()));
-        fs::remove_all(root_);
-        folders_ = {root_ / "style", root_ / "shared"};
         for (const fs::path& folder : folders_) fs::create_directories(folder);
         write("shared", "full.vert", "void main() { gl_Position = vec4(0.0); }\n");
     }
-    ~ShaderFolders() override { fs::remove_all(root_); }
 
     void write(const std::string& folder, const std::string& name, const std::string& text) const
     {
-        std::ofstream(root_ / folder / name) << text;
+        root_.write(folder + "/" + name, text);
     }
     ShaderText load(const std::string& name) const { return load_shader(name, folders_, "#define FROM_HOST 1\n"); }
     std::string message_of(const std::string& name) const
@@ -46,7 +40,7 @@ class ShaderFolders : public testing::Test {
         return "";
     }
 
-    fs::path root_;
+    TemporaryFolder root_;
     std::vector<fs::path> folders_;
 };
 

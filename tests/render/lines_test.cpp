@@ -119,6 +119,37 @@ TEST_F(lines, a_sheet_of_paper_on_a_desk_keeps_its_outline_and_hides_the_desk)
     EXPECT_GT(count_dark(pixels), 900);
 }
 
+TEST_F(lines, leave_faces_at_their_own_depth)
+{
+    // Red walls end a tenth of a millimetre below a floor that is seen at a grazing angle.
+    add_object(scene_, floor_mesh(20.0f), kHere, painted(glm::vec3(1.0f)));
+    for (int i = 0; i < 8; ++i)
+        add_object(scene_, box_mesh({20.0f, 0.5f, 0.2f}), at(0, -0.2501, 8.0 - 2.0 * i), painted({1.0f, 0.0f, 0.0f}));
+    load(style_);
+    for (const int samples : {1, 4}) {
+        const Pixels pixels = draw_with(LinePath::quads, view_from({0, 0.4, 9.5}, {0, 0, -4}), samples);
+        int red = 0;
+        for (int y = 125; y < pixels.height; ++y)
+            for (int x = 0; x < pixels.width; ++x) red += pixels.at(x, y)[0] > pixels.at(x, y)[1] + 40 ? 1 : 0;
+        EXPECT_EQ(red, 0) << "no wall shines through the floor";
+    }
+}
+
+TEST_F(lines, of_one_style_lie_on_the_faces_of_another)
+{
+    add_object(scene_, floor_mesh(4.0f), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, floor_mesh(1.0f), kHere, painted(glm::vec3(1.0f)));
+    TestStyle plain(glm::vec3(1.0f));
+    load({{"plain", &plain}, {"lined", &style_}}, {{.style = 0}, {.style = 1}});
+    const View view = view_from({0, 1.0, 1.6}, {0, 0, 0});
+    const double on_the_floor = ink(draw_with(LinePath::quads, view));
+    scene_.objects.erase(scene_.objects.begin());
+    load({{"plain", &plain}, {"lined", &style_}}, {{.style = 1}});
+    const double alone = ink(draw_with(LinePath::quads, view));
+    EXPECT_GT(alone, 300.0);
+    EXPECT_NEAR(on_the_floor / alone, 1.0, 0.05) << "no half of the outline sinks into the floor";
+}
+
 TEST_F(lines, crossing_the_near_plane_run_on_to_the_edge_of_the_picture)
 {
     add_object(scene_, box_mesh({0.4f, 0.4f, 40.0f}), at(0, -0.6, 0), painted(glm::vec3(1.0f)));

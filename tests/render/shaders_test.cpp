@@ -36,8 +36,13 @@ const std::map<std::string, SurfaceFeatures> kCombinations = {
                 f::kLightRanges | f::kShadow | f::kPresence | f::kDoubleSided},
     {"textured", f::kUv0 | maps_on(1) | f::kAlphaMask | SurfaceFeatures(2) << f::kLightCountBit},
     {"second_uv", f::kUv0 | f::kUv1 | f::kTangents | f::kColours | maps_on(2) | f::kAlphaBlend | f::kDoubleSided},
+    {"baked", f::kUv0 | SurfaceFeatures(1) << f::kLightmapBit | SurfaceFeatures(2) << f::kLightCountBit |
+                  SurfaceFeatures(1) << f::kSunCountBit | f::kDoubleSided},
+    {"baked_per_vertex",
+     SurfaceFeatures(2) << f::kLightmapBit | SurfaceFeatures(1) << f::kLightCountBit | f::kDoubleSided},
     {"mapped", f::kUv0 | f::kHatchMap | f::kInkMap | f::kTonalMap | SurfaceFeatures(1) << f::kLightCountBit},
-    {"streamed", f::kUv0 | f::kHatchUv | f::kDirection | f::kInkMap | f::kHatchMap | SurfaceFeatures(2) << f::kLightmapBit},
+    {"streamed",
+     f::kUv0 | f::kHatchUv | f::kDirection | f::kInkMap | f::kHatchMap | SurfaceFeatures(2) << f::kLightmapBit},
     {"streamed_without_uv", f::kHatchUv | f::kTonalMap | f::kShadow | SurfaceFeatures(1) << f::kLightCountBit},
     {"mapped_without_uv", f::kHatchMap | f::kInkMap | f::kTonalMap | f::kShadow | f::kUnlit | f::kPresence},
 };
