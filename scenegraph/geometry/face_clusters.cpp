@@ -1,8 +1,9 @@
-// A cluster is front-facing as a whole when v . axis > sin(cone) |v| + r, where v goes from the middle of its ball to
-// the eye, r is the ball's radius and the cone holds all normals: with f the angle of v above the plane across the
-// axis, each normal makes sin(f - cone) >= sin f - sin(cone) with it, and each corner is at most r nearer. The same
-// with the sign turned is back-facing. Unlike a test by angles this has no singularity at the middle of the ball; the
-// form is that of meshoptimizer's documentation.
+// A cluster is front-facing as a whole when v . axis cos(cone) - h > sin(cone) |v - (v . axis) axis|, where v goes from the
+// cluster's centre to the eye, the cone around the axis holds all normals, and h is how far the centre is from the plane of
+// any face: with f the angle of v above the plane across the axis, each normal n has n . v >= |v| sin(f - cone), and the
+// eye's distance from the plane of n is at least h less. Both sides squared need no root. The same with the sign turned is
+// back-facing. The planes of a smooth piece of surface pass much closer to its centre than its corners are, so that h is
+// far smaller than the ball that other cone tests take. The test has no singularity at the centre.
 #include "geometry/face_clusters.hpp"
 
 #include <algorithm>
@@ -16,9 +17,10 @@ namespace hw {
 namespace {
 
 constexpr double kSineSlack = 8e-6;  // normals known to 1e-6, axis and products rounded to floats: under 4e-6 together
-constexpr float kBallSlack = 4e-6f;  // the eye and the middle rounded to floats, in sizes of the mesh
+constexpr float kPlaceSlack = 1e-5f;  // the eye, the centre and the sums rounded to floats, in sizes of the mesh
+constexpr float kSquareSlack = 2e-5f;  // the same for the difference of squares
 constexpr double kSharpest = 1e-9;   // sine of a corner below which doubles do not tell a normal to 1e-6
-constexpr float kNeverUniform = 4.0f;  // a sine that no cluster reaches
+constexpr float kNeverUniform = 1e9f;  // a squared sine that no cluster reaches
 
 std::uint64_t spread(std::uint64_t x)
 {
@@ -105,17 +107,20 @@ void FaceClusters::bound_faces(const Surface& surface, std::uint32_t faces_each,
         }
         is_sure = is_sure && glm::length(sum) > 1e-3;
         const glm::dvec3 axis = is_sure ? glm::normalize(sum) : glm::dvec3(0.0);
-        double cosine = is_sure ? 1.0 : 0.0;
+        double cosine = is_sure ? 1.0 : 0.0, height = 0.0;
         for (auto face = static_cast<std::uint32_t>(begin); is_sure && face < end; ++face) {
-            cosine = std::min(cosine, glm::dot(axis, sure_normal(surface, face)));
+            const glm::dvec3 normal = sure_normal(surface, face);
+            const glm::dvec3 corner = (glm::dvec3(surface.positions[surface.faces[face][0]]) - centre_) * scale_;
+            cosine = std::min(cosine, glm::dot(axis, normal));
+            height = std::max(height, std::abs(glm::dot(normal, corner - box.centre())));
         }
+        const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) + kSineSlack;
         for (int i = 0; i < 3; ++i) {
             bounds[i].push_back(static_cast<float>(box.centre()[i]));
-            bounds[4 + i].push_back(static_cast<float>(axis[i]));
+            bounds[4 + i].push_back(static_cast<float>(axis[i] * std::max(cosine - kSineSlack, 0.0)));
         }
-        bounds[3].push_back(static_cast<float>(0.5 * glm::length(box.size())) + kBallSlack);
-        const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) + kSineSlack;
-        bounds[7].push_back(cosine > 0.0 ? static_cast<float>(sine) : kNeverUniform);
+        bounds[3].push_back(static_cast<float>(height) + kPlaceSlack);
+        bounds[7].push_back(cosine > 0.0 ? static_cast<float>(sine * sine) : kNeverUniform);
     }
 }
 
@@ -137,20 +142,21 @@ void FaceClusters::sort_edges(const Surface& surface)
     std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return a.from != b.from ? a.from < b.from : a.to != b.to ? a.to < b.to : a.edge < b.edge;
     });
-    first_link_.assign(count_ + 1, 0);
+    first_link_.assign(group_count() + 1, 0);
     for (const Placed& p : placed) {
         const auto at = static_cast<std::uint32_t>(edges_.size());
         const bool continues = at > 0 && placed[at - 1].from == p.from && placed[at - 1].to == p.to;
         if (!continues) {
-            links_.push_back({p.to, at, at});
-            ++first_link_[p.from + 1];
+            links_.push_back({{p.from, p.to}, at});
+            ++first_link_[p.from / kGroup + 1];
         }
         const auto [a, b] = surface.edges.faces[p.edge];
         edges_.push_back(p.edge);
         edge_faces_.push_back(
             {static_cast<std::uint8_t>(std::min(a, b) % kFaces), static_cast<std::uint8_t>(std::max(a, b) % kFaces)});
-        links_.back().end = at + 1;
     }
+    links_.push_back({{0, 0}, static_cast<std::uint32_t>(edges_.size())});
+    edge_faces_.resize(edge_faces_.size() + 8);
     for (std::size_t i = 1; i < first_link_.size(); ++i) first_link_[i] += first_link_[i - 1];
 }
 
@@ -160,8 +166,8 @@ void FaceClusters::link_groups()
     std::vector<std::uint32_t> others;
     for (std::uint32_t group = 0; group < group_count(); ++group) {
         others.clear();
-        for (std::uint32_t cluster = group * kGroup; cluster < std::min(count_, (group + 1) * kGroup); ++cluster) {
-            for (const Link& link : links(cluster)) others.push_back(link.other / kGroup);
+        for (std::uint32_t i = first_link_[group]; i < first_link_[group + 1]; ++i) {
+            others.push_back(links_[i].clusters[1] / kGroup);
         }
         std::sort(others.begin(), others.end());
         others.erase(std::unique(others.begin(), others.end()), others.end());
@@ -182,25 +188,44 @@ std::size_t FaceClusters::bytes() const
 /// The eye in the space of the bounds.
 struct FaceClusters::Query {
     glm::vec3 eye;
-    float weight;  ///< Of the balls; 0 for orthographic views.
+    float weight;  ///< Of places; 0 for orthographic views.
     float slack;
 };
 
-void FaceClusters::decide_run(const Bounds& bounds, const Query& query, std::uint32_t begin, std::uint32_t end,
-                              std::span<Facing> facing)
+namespace {
+
+/// Cones against the eye (w: weight of places): 1 front, 0 back, 2 not decided. Without branches, so that
+/// eight are decided at a time.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+__attribute__((target_clones("avx2", "default")))
+#endif
+void decide_each(const std::array<const float*, 8>& bounds, const glm::vec4& eye, float slack, std::uint32_t count,
+                 std::uint8_t* __restrict facing)
 {
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const float x = query.eye.x - query.weight * bounds[0][i], y = query.eye.y - query.weight * bounds[1][i],
-                    z = query.eye.z - query.weight * bounds[2][i];
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const float x = eye.x - eye.w * bounds[0][i], y = eye.y - eye.w * bounds[1][i], z = eye.z - eye.w * bounds[2][i];
         const float along = x * bounds[4][i] + y * bounds[5][i] + z * bounds[6][i];
-        const float beyond_ball = std::abs(along) - (query.weight * bounds[3][i] + query.slack);
-        const float squared = bounds[7][i] * bounds[7][i] * (x * x + y * y + z * z);
-        const bool is_uniform = beyond_ball > 0.0f && beyond_ball * beyond_ball > squared;
-        facing[i] = !is_uniform ? Facing::mixed : along > 0.0f ? Facing::front : Facing::back;
+        const float above = std::abs(along) - (eye.w * bounds[3][i] + slack);
+        const float aside = bounds[7][i] * (x * x + y * y + z * z - along * along + kSquareSlack);
+        const bool is_uniform = (above > 0.0f) & (above * above > aside);
+        facing[i] = is_uniform ? static_cast<std::uint8_t>(along > 0.0f) : std::uint8_t{2};
     }
 }
 
-void FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> groups, std::span<Facing> clusters) const
+}  // namespace
+
+void FaceClusters::decide_run(const Bounds& bounds, const Query& query, std::uint32_t begin, std::uint32_t end,
+                              Facing* facing)
+{
+    std::array<const float*, 8> streams;
+    for (int i = 0; i < 8; ++i) streams[i] = bounds[i].data() + begin;
+    static_assert(static_cast<int>(Facing::front) == 1 && static_cast<int>(Facing::mixed) == 2);
+    decide_each(streams, glm::vec4(query.eye, query.weight), query.slack, end - begin,
+                reinterpret_cast<std::uint8_t*>(facing));
+}
+
+std::uint32_t FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> groups,
+                                   std::span<std::uint32_t> masks, std::span<std::uint32_t> mixed) const
 {
     const bool is_direction = viewpoint_object.is_orthographic;
     const glm::dvec3 eye = is_direction ? viewpoint_object.eye : (viewpoint_object.eye - centre_) * scale_;
@@ -208,16 +233,21 @@ void FaceClusters::decide(const Viewpoint& viewpoint_object, std::span<Facing> g
     const double distance = glm::length(eye);
     const double shrink = (is_direction || distance > 4.0) && distance > 0.0 ? 1.0 / distance : 1.0;
     const Query query{glm::vec3(eye * shrink), is_direction ? 0.0f : static_cast<float>(shrink),
-                      is_direction ? 0.0f : kBallSlack};
-    decide_run(group_bounds_, query, 0, group_count(), groups);
+                      is_direction ? 0.0f : kPlaceSlack};
+    decide_run(group_bounds_, query, 0, group_count(), groups.data());
+    std::uint32_t mixed_count = 0;
     for (std::uint32_t group = 0; group < group_count(); ++group) {
-        const std::uint32_t begin = group * kGroup, end = std::min(count_, begin + kGroup);
-        if (groups[group] == Facing::mixed) {
-            decide_run(cluster_bounds_, query, begin, end, clusters);
-        } else {
-            std::fill(clusters.begin() + begin, clusters.begin() + end, groups[group]);
+        const std::uint32_t begin = group * kGroup, size = std::min(count_ - begin, kGroup);
+        std::array<Facing, kGroup> facing;
+        facing.fill(groups[group]);
+        if (groups[group] == Facing::mixed) decide_run(cluster_bounds_, query, begin, begin + size, facing.data());
+        for (std::uint32_t i = 0; i < size; ++i) {
+            masks[begin + i] = facing[i] == Facing::front ? ~0u : 0u;
+            mixed[mixed_count] = begin + i;
+            mixed_count += facing[i] == Facing::mixed;
         }
     }
+    return mixed_count;
 }
 
 }  // namespace hw

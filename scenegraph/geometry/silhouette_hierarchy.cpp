@@ -1,20 +1,94 @@
-// Only clusters that the cones leave open have their faces looked at, and only where those then differ are edges looked
-// at: edges cost more than faces, which are decided eight at a time. Edges between a cluster that looks at the viewer
-// as a whole and one that looks away need the bytes of their faces too; those are then filled in from the cluster.
+// Only clusters that the cones leave open have their faces looked at. Facing then is a mask of 32 bits for each cluster, and
+// edges are looked at only where two linked clusters, or the faces of one, are not all alike: eight at a time, shifting the
+// two masks by the places of their faces.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 
 #include "core/error.hpp"
 #include "geometry/silhouette_stages.hpp"
 #include "geometry/surface_faces.hpp"
 
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <immintrin.h>
+#define HW_HAS_AVX2_PATH 1
+#endif
+
 namespace hw {
 namespace {
 
 using Facing = FaceClusters::Facing;
+using FacePair = std::array<std::uint8_t, 2>;
 
 constexpr std::uint32_t kBlocks = FaceClusters::kFaces / FacingFilter::kBlock;
+static_assert(FaceClusters::kFaces == 32, "a mask has a bit for each face");
+
+/// Edges of a link: for each the places of its two faces in their clusters.
+struct LinkEdges {
+    const FacePair* faces;
+    const std::uint32_t* edges;
+    std::uint32_t count;
+};
+
+/// The edges that are asked for.
+struct Wanted {
+    EdgeRange first, second;
+
+    std::uint32_t has(std::uint32_t edge) const
+    {
+        return static_cast<std::uint32_t>(edge - first.begin < first.size()) |
+               static_cast<std::uint32_t>(edge - second.begin < second.size());
+    }
+};
+
+std::uint32_t test_portably(const LinkEdges& link, std::uint32_t own, std::uint32_t other, const Wanted& wanted,
+                            std::uint32_t* found)
+{
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < link.count; ++i) {
+        found[count] = link.edges[i];  // kept only when it differs and is wanted: no branch to mispredict
+        count += (own >> link.faces[i][0] ^ other >> link.faces[i][1]) & wanted.has(link.edges[i]);
+    }
+    return count;
+}
+
+#ifdef HW_HAS_AVX2_PATH
+__attribute__((target("avx2"))) std::uint32_t test_with_avx2(const LinkEdges& link, std::uint32_t own,
+                                                             std::uint32_t other, const Wanted& wanted,
+                                                             std::uint32_t* found)
+{
+    const __m256i own_bits = _mm256_set1_epi32(static_cast<int>(own));
+    const __m256i other_bits = _mm256_set1_epi32(static_cast<int>(other));
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < link.count; i += 8) {
+        const __m128i pairs = _mm_loadu_si128(reinterpret_cast<const __m128i*>(link.faces + i));
+        const __m256i own_places = _mm256_cvtepu16_epi32(_mm_and_si128(pairs, _mm_set1_epi16(0xff)));
+        const __m256i other_places = _mm256_cvtepu16_epi32(_mm_srli_epi16(pairs, 8));
+        const __m256i differ =
+            _mm256_xor_si256(_mm256_srlv_epi32(own_bits, own_places), _mm256_srlv_epi32(other_bits, other_places));
+        auto bits = static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(differ, 31))));
+        if (link.count - i < 8) bits &= (1u << (link.count - i)) - 1;
+        for (; bits != 0; bits &= bits - 1) {
+            const std::uint32_t edge = link.edges[i + static_cast<std::uint32_t>(std::countr_zero(bits))];
+            found[count] = edge;
+            count += wanted.has(edge);
+        }
+    }
+    return count;
+}
+#endif
+
+/// A bit for each of 32 bytes of 0 or 1.
+std::uint32_t mask_of(const std::uint8_t* facing)
+{
+    std::array<std::uint64_t, 4> eights;
+    std::memcpy(eights.data(), facing, sizeof(eights));
+    std::uint32_t mask = 0;
+    for (int i = 0; i < 4; ++i)
+        mask |= static_cast<std::uint32_t>(eights[i] * 0x0102040810204080 >> 56) << (8 * i);
+    return mask;
+}
 
 class ClusterSearch {
  public:
@@ -23,28 +97,21 @@ class ClusterSearch {
           surface_(search.surface),
           clusters_(search.surface.clusters),
           scratch_(scratch),
-          first_(search.ranges[0]),
-          second_(search.ranges.size() > 1 ? search.ranges[1] : EdgeRange{})
+          wanted_{search.ranges[0], search.ranges.size() > 1 ? search.ranges[1] : EdgeRange{}}
     {
         HW_ASSERT(search.ranges.size() <= 2);
-        const FacingFilter& filter = surface_.filter;
         make_room(scratch.facing, std::size_t{clusters_.count()} * FaceClusters::kFaces);
-        make_room(scratch.open_faces, std::size_t{filter.block_count()} * FacingFilter::kBlock);
+        make_room(scratch.open_faces, std::size_t{surface_.filter.block_count()} * FacingFilter::kBlock);
         make_room(scratch.groups, clusters_.group_count());
-        make_room(scratch.clusters, clusters_.count());
-        make_room(scratch.filled, clusters_.count());
-        std::fill_n(scratch.filled.begin(), clusters_.count(), std::uint8_t{0});
+        make_room(scratch.masks, clusters_.count());
+        make_room(scratch.mixed, clusters_.count() + 1);  // one is written past the last
     }
 
     std::uint32_t run()
     {
-        clusters_.decide(search_.viewpoint, scratch_.groups, scratch_.clusters);
-        open_mixed_clusters();
+        look_at_clusters(clusters_.decide(search_.viewpoint, scratch_.groups, scratch_.masks, scratch_.mixed));
         for (std::uint32_t group = 0; group < clusters_.group_count(); ++group) {
-            if (is_far_from_contour(group)) continue;
-            const std::uint32_t begin = group * FaceClusters::kGroup;
-            const std::uint32_t end = std::min(clusters_.count(), begin + FaceClusters::kGroup);
-            for (std::uint32_t cluster = begin; cluster < end; ++cluster) test_links(cluster);
+            if (!is_far_from_contour(group)) test_links(group);
         }
         test_loose_edges();
         return count_;
@@ -59,98 +126,57 @@ class ClusterSearch {
                                                    [&](std::uint32_t other) { return scratch_.groups[other] == own; });
     }
 
-    void test_links(std::uint32_t cluster)
-    {
-        for (const FaceClusters::Link& link : clusters_.links(cluster)) {
-            const Facing own = scratch_.clusters[cluster], other = scratch_.clusters[link.other];
-            if (own == other && own != Facing::mixed) continue;
-            fill(cluster);
-            fill(link.other);
-            test(cluster, link);
-        }
-    }
-
-    void open_mixed_clusters()
+    /// Fills in the masks of the clusters that no cone decided, runs of neighbours together.
+    void look_at_clusters(std::uint32_t mixed_count)
     {
         const FacingFilter::Query query = surface_.filter.query(search_.viewpoint);
-        for (std::uint32_t first = 0; first < clusters_.count();) {
-            if (first % FaceClusters::kGroup == 0 && scratch_.groups[first / FaceClusters::kGroup] != Facing::mixed) {
-                first += FaceClusters::kGroup;
-                continue;
-            }
-            if (scratch_.clusters[first] != Facing::mixed) {
-                ++first;
-                continue;
-            }
-            std::uint32_t end = first + 1;
-            while (end < clusters_.count() && scratch_.clusters[end] == Facing::mixed) ++end;
+        for (std::uint32_t i = 0; i < mixed_count;) {
+            const std::uint32_t first = scratch_.mixed[i], begin = i;
+            while (i < mixed_count && scratch_.mixed[i] == first + (i - begin)) ++i;
+            const std::uint32_t end = first + (i - begin);
             const std::uint32_t end_block = std::min(end * kBlocks, surface_.filter.block_count());
             decide_blocks(surface_, search_.viewpoint, query, first * kBlocks, end_block - first * kBlocks, scratch_);
-            std::fill(scratch_.filled.begin() + first, scratch_.filled.begin() + end, std::uint8_t{1});
+            for (std::uint32_t cluster = first; cluster < end; ++cluster) {
+                scratch_.masks[cluster] =
+                    mask_of(scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces);
+            }
             scratch_.counters.faces_tested += std::uint64_t{end - first} * FaceClusters::kFaces;
-            first = end;
         }
-        // A cluster with a collinear face is never uniform, so that its bytes are there.
+        // A cluster with a collinear face is never decided by its cone.
         for (const auto& entry : surface_.filter.inherited) {
-            scratch_.facing[entry.face] = entry.source != kNoFace && is_front(entry.source);
+            const std::uint32_t bit = 1u << (entry.face % FaceClusters::kFaces);
+            std::uint32_t& mask = scratch_.masks[entry.face / FaceClusters::kFaces];
+            mask = entry.source != kNoFace && is_front(entry.source) ? mask | bit : mask & ~bit;
         }
-        for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
-            if (scratch_.clusters[cluster] == Facing::mixed) scratch_.clusters[cluster] = looked_at(cluster);
-        }
-    }
-
-    /// What the faces of an opened cluster turned out to be. The last cluster may hold padding and stays mixed.
-    Facing looked_at(std::uint32_t cluster) const
-    {
-        if (cluster + 1 == clusters_.count()) return Facing::mixed;
-        constexpr std::uint64_t kAllFront = 0x0101010101010101;
-        std::array<std::uint64_t, FaceClusters::kFaces / 8> bytes;
-        std::memcpy(bytes.data(), scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces, sizeof(bytes));
-        const bool is_uniform = std::all_of(bytes.begin(), bytes.end(), [&](auto eight) { return eight == bytes[0]; });
-        if (!is_uniform || (bytes[0] != 0 && bytes[0] != kAllFront)) return Facing::mixed;
-        return bytes[0] == 0 ? Facing::back : Facing::front;
     }
 
     bool is_front(std::uint32_t face) const
     {
-        const Facing cluster = scratch_.clusters[face / FaceClusters::kFaces];
-        return cluster == Facing::mixed ? scratch_.facing[face] != 0 : cluster == Facing::front;
+        return (scratch_.masks[face / FaceClusters::kFaces] >> (face % FaceClusters::kFaces) & 1) != 0;
     }
 
-    void fill(std::uint32_t cluster)
+    void test_links(std::uint32_t group)
     {
-        if (scratch_.filled[cluster]) return;
-        scratch_.filled[cluster] = 1;
-        std::memset(scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces,
-                    scratch_.clusters[cluster] == Facing::front ? 1 : 0, FaceClusters::kFaces);
-    }
-
-    std::uint32_t is_wanted(std::uint32_t edge) const
-    {
-        return static_cast<std::uint32_t>(edge - first_.begin < first_.size()) |
-               static_cast<std::uint32_t>(edge - second_.begin < second_.size());
-    }
-
-    void keep(std::uint32_t edge)
-    {
-        if (is_wanted(edge) != 0) scratch_.edges[count_++] = edge;
-    }
-
-    void test(std::uint32_t cluster, const FaceClusters::Link& link)
-    {
-        const std::uint8_t* const own = scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces;
-        const std::uint8_t* const other = scratch_.facing.data() + std::size_t{link.other} * FaceClusters::kFaces;
-        const std::array<std::uint8_t, 2>* const faces = clusters_.edge_faces().data();
-        const std::uint32_t* const edges = clusters_.edges().data();
-        std::uint32_t* const found = scratch_.edges.data();
-        std::uint32_t count = count_;
-        for (std::uint32_t i = link.begin; i < link.end; ++i) {
-            const std::uint32_t edge = edges[i];
-            found[count] = edge;  // kept only when it differs and is wanted: no branch to mispredict
-            count += static_cast<std::uint32_t>(own[faces[i][0]] ^ other[faces[i][1]]) & is_wanted(edge);
+        const auto [begin, end] = clusters_.group_link_range(group);
+        const FaceClusters::Link* const links = clusters_.links().data();
+        const std::uint32_t* const masks = scratch_.masks.data();
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const std::uint32_t own = masks[links[i].clusters[0]], other = masks[links[i].clusters[1]];
+            if (own == other && own + 1 <= 1) continue;  // all bits alike in both
+            const std::uint32_t first = links[i].begin, size = links[i + 1].begin - first;
+            const LinkEdges edges{clusters_.edge_faces().data() + first, clusters_.edges().data() + first, size};
+            count_ += test(edges, own, other, scratch_.edges.data() + count_);
+            scratch_.counters.edges_tested += size;
         }
-        count_ = count;
-        scratch_.counters.edges_tested += link.end - link.begin;
+    }
+
+    std::uint32_t test(const LinkEdges& link, std::uint32_t own, std::uint32_t other, std::uint32_t* found) const
+    {
+#ifdef HW_HAS_AVX2_PATH
+        static const bool has_avx2 = __builtin_cpu_supports("avx2");
+        if (has_avx2) return test_with_avx2(link, own, other, wanted_, found);
+#endif
+        return test_portably(link, own, other, wanted_, found);
     }
 
     void test_loose_edges()
@@ -161,7 +187,7 @@ class ClusterSearch {
             const bool is_b_front = search_.has_turned_faces
                                         ? is_twin_facing(surface_, b - face_count, search_.viewpoint, scratch_.counters)
                                         : is_front(surface_.filter.twins[b - face_count].face);
-            if (is_front(a) != is_b_front) keep(edge);
+            if (is_front(a) != is_b_front && wanted_.has(edge) != 0) scratch_.edges[count_++] = edge;
         }
         scratch_.counters.edges_tested += clusters_.loose_edges().size();
     }
@@ -170,8 +196,7 @@ class ClusterSearch {
     const Surface& surface_;
     const FaceClusters& clusters_;
     SilhouetteScratch& scratch_;
-    EdgeRange first_;
-    EdgeRange second_;
+    Wanted wanted_;
     std::uint32_t count_ = 0;
 };
 

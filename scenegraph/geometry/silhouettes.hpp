@@ -39,8 +39,8 @@ struct SilhouetteScratch {
     std::vector<std::uint32_t> open_faces;
     std::vector<std::uint32_t> edges;
     std::vector<FaceClusters::Facing> groups;
-    std::vector<FaceClusters::Facing> clusters;
-    std::vector<std::uint8_t> filled;  ///< Clusters whose part of `facing` is valid.
+    std::vector<std::uint32_t> masks;  ///< Of each cluster, a bit for each face.
+    std::vector<std::uint32_t> mixed;  ///< Clusters whose faces had to be looked at.
     SilhouetteCounters counters;
 };
 
