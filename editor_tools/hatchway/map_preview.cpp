@@ -77,7 +77,8 @@ ParamSettings style_settings(const MapLevels& map)
     settings["spacing_px"] = {std::max(map.spacing_texels, 2.0), ""};
     settings["hatch_deg"] = {90.0, ""};
     settings["line_width_px"] = {0.0, ""};
-    settings["silhouette_width_px"] = {0.0, ""};
+    for (const char* width : {"silhouette_width_px", "border_width_px", "valley_width_px", "intersection_width_px"})
+        settings[width] = {0.0, ""};
     settings["ink_map_detail"] = {0.0, ""};
     settings["light_response"] = {0.0, ""};
     settings["material_tone"] = {0.0, ""};

@@ -9,6 +9,7 @@
 
 #include "core/progress.hpp"
 #include "gl/context.hpp"
+#include "geometry/intersections.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/level_lines.hpp"
 #include "hatchway/option_rules.hpp"
@@ -77,8 +78,9 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& rende
     set("paper_colour", std::string("#ffffff"));
     set("ink_map_strength", 0.0);
     set("crease_deg", kCreaseDeg);
-    set("line_width_px", kCreaseWidthPx);
-    set("silhouette_width_px", kContourWidthPx);
+    set("crease_colour", std::string("#000000"));
+    for (const char* name : {"line_width_px", "valley_width_px", "intersection_width_px"}) set(name, kCreaseWidthPx);
+    for (const char* name : {"silhouette_width_px", "border_width_px"}) set(name, kContourWidthPx);
     auto style = make_style(plugin, params, source);
     style->prepare(renderer.program_cache(plugin.shader_folder));
     return style;
@@ -87,7 +89,7 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& rende
 /// The same for the exact drawing.
 std::vector<ObjectInk> all_inked(const Scene& scene)
 {
-    const ObjectInk ink{.is_used = true, .crease_rad = static_cast<float>(glm::radians(kCreaseDeg)), .looks = {{}}};
+    const ObjectInk ink{.is_used = true, .crease_rad = static_cast<float>(glm::radians(kCreaseDeg)), .has_intersections = true, .looks = {{}}};
     return std::vector<ObjectInk>(scene.objects.size(), ink);
 }
 
@@ -99,7 +101,8 @@ class MeasuredScene {
           level_(read_level_with(file, {})),
           world_(open_world(level_, nullptr)),
           style_(line_style(plugins, renderer)),
-          exact_(world_->scene, all_inked(world_->scene), {})
+          exact_(world_->scene, all_inked(world_->scene), {}),
+          cuts_(find_intersections(exact_.objects()))
     {
         SceneInput input;
         input.scene = &world_->scene;
@@ -129,10 +132,11 @@ class MeasuredScene {
     std::vector<WantedLine> wanted(const CameraPlace& camera, glm::ivec2 size, double& seconds) const
     {
         const auto start = std::chrono::steady_clock::now();
-        const std::vector<VisibleLine> lines = find_visible_lines(exact_.objects(), {.eye_world = camera.eye_world,
-                                                                                     .target_world = camera.target_world,
-                                                                                     .fov_rad = glm::radians(camera.fov_deg),
-                                                                                     .size_px = size});
+        const LineCamera line_camera{.eye_world = camera.eye_world,
+                                     .target_world = camera.target_world,
+                                     .fov_rad = glm::radians(camera.fov_deg),
+                                     .size_px = size};
+        const std::vector<VisibleLine> lines = find_visible_lines(exact_.objects(), line_camera, {.intersections = cuts_});
         seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::vector<WantedLine> wanted;
         for (const VisibleLine& line : lines) {
@@ -157,6 +161,7 @@ class MeasuredScene {
     std::shared_ptr<const LevelWorld> world_;
     std::unique_ptr<Style> style_;
     LevelLines exact_;
+    std::vector<IntersectionLine> cuts_;
 };
 
 /// The drawing in grey, ink that leaked in red, lines that are missed in blue.

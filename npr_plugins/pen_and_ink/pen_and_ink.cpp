@@ -47,7 +47,7 @@ class PenAndInk final : public hw::Style {
                      -1000.0f, 1000.0f);
         visitor.real({"shade", "Smooth gray shade under the ink."}, shade_, 0.0f, 1.0f);
         visitor.colour({"paper_colour", "Colour of faces."}, paper_);
-        visitor.colour({"ink_colour", "Colour of lines."}, ink_);
+        visitor.colour({"ink_colour", "Colour of silhouettes, borders and intersections."}, ink_);
         visitor.colour({"hatch_colour", "Colour of hatching and of ink maps: a little softer than lines, it stays behind them."},
                        hatch_ink_);
         visitor.real({"paper_from_material", "Share of the material's colour in the paper's.", hw::ParamChange::rebuild},
@@ -69,7 +69,7 @@ class PenAndInk final : public hw::Style {
     hw::Needs needs() const override
     {
         hw::Needs needs;
-        needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
+        needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree, .intersections = intersection_width_px_ > 0.0f};
         needs.streams.hatch_uv = true;
         needs.streams.hatch_source = static_cast<hw::HatchSource>(hatch_source_);
         needs.shadow = is_shaded() || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
@@ -110,8 +110,14 @@ class PenAndInk final : public hw::Style {
         hw::LineLook look;
         look.width_px.fill(line_width_px_);
         look.width_px[int(LineClass::silhouette)] = silhouette_width_px_;
-        look.width_px[int(LineClass::border)] = silhouette_width_px_;
-        look.colour.fill(ink_);
+        look.width_px[int(LineClass::border)] = border_width_px_;
+        look.width_px[int(LineClass::valley)] = valley_width_px_;
+        look.width_px[int(LineClass::intersection)] = intersection_width_px_;
+        look.colour.fill(crease_colour_);
+        look.colour[int(LineClass::silhouette)] = look.colour[int(LineClass::border)] = ink_;
+        look.colour[int(LineClass::intersection)] = ink_;
+        look.fold_weight = fold_weight_;
+        look.stroke = stroke_;
         look.crease_rad = crease_deg_ * kDegree;
         look.depth_taper = depth_taper_;
         look.far.is_on = is_far_thinned_;
@@ -142,19 +148,35 @@ class PenAndInk final : public hw::Style {
     {
         visitor.real({"crease_deg", "Edges folded by more than this are drawn from every viewpoint.",
                       hw::ParamChange::rebuild}, crease_deg_, 1.0f, 180.0f);
-        visitor.real({"line_width_px", "Width of creases and of edges that the artist marked."}, line_width_px_, 0.0f, 16.0f);
-        visitor.real({"silhouette_width_px", "Width of silhouettes and borders."}, silhouette_width_px_, 0.0f, 16.0f);
+        visitor.real({"line_width_px", "Width of ridges and of edges that the artist marked."}, line_width_px_, 0.0f, 16.0f);
+        visitor.real({"valley_width_px", "Width of creases that fold inward."}, valley_width_px_, 0.0f, 16.0f);
+        visitor.real({"silhouette_width_px", "Width of silhouettes."}, silhouette_width_px_, 0.0f, 16.0f);
+        visitor.real({"border_width_px", "Width of borders, where a surface ends."}, border_width_px_, 0.0f, 16.0f);
+        visitor.real({"intersection_width_px", "Width of lines where things go through each other; 0 does not look for them.",
+                      hw::ParamChange::rebuild}, intersection_width_px_, 0.0f, 16.0f);
+        visitor.colour({"crease_colour", "Colour of creases and of edges that the artist marked."}, crease_colour_);
+        visitor.real({"fold_weight", "1 draws creases the thinner the less they are folded, 0 all alike."}, fold_weight_, 0.0f, 1.0f);
+        visitor.real({"line_wobble_px", "How far lines stray sideways, as by hand; 0 rules them."}, stroke_.wobble_px, 0.0f, 12.0f);
+        visitor.real({"line_bend_px", "From one bend of a line to the next, about."}, stroke_.bend_px, 4.0f, 500.0f);
+        visitor.real({"line_overshoot_px", "How far lines run on beyond corners, silhouettes apart."}, stroke_.overshoot_px, 0.0f, 40.0f);
+        visitor.real({"line_taper_px", "Length over which lines grow thin to their ends, silhouettes apart."}, stroke_.taper_px, 0.0f, 200.0f);
+        visitor.real({"line_dash_px", "A dash and its gap, silhouettes apart; 0 draws unbroken lines."}, stroke_.dash_px, 0.0f, 200.0f);
+        visitor.real({"line_dash_share", "Of the dash in that."}, stroke_.dash_share, 0.05f, 1.0f);
         visitor.real({"depth_taper", "1 thins lines with distance, 0 keeps their width."}, depth_taper_, 0.0f, 1.0f);
         visitor.flag({"far_thinning", "Fades crowded lines of far objects, so that they do not turn black."}, is_far_thinned_);
     }
 
-    float crease_deg_ = 40.0f, line_width_px_ = 1.2f, silhouette_width_px_ = 1.9f, depth_taper_ = 0.0f;
+    float crease_deg_ = 40.0f, depth_taper_ = 0.0f, fold_weight_ = 0.0f;
+    float line_width_px_ = 1.2f, valley_width_px_ = 1.2f, silhouette_width_px_ = 1.9f, border_width_px_ = 1.9f;
+    float intersection_width_px_ = 1.2f;
+    hw::StrokeCharacter stroke_;
+    glm::vec3 crease_colour_{0.07f, 0.06f, 0.06f};
     bool is_far_thinned_ = true;
     int tone_ = kShaded, hatch_source_ = 0, fade_ = kNoFade;
     float light_response_ = 1.0f, fade_from_m_ = 0.5f, fade_to_m_ = 1.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, stroke_length_px_ = 90.0f, wobble_px_ = 0.5f;
     float hatch_deg_ = 52.0f, cross_deg_ = 70.0f;
-    float darkness_ = 0.70f, white_from_ = 0.86f, shadow_below_ = 0.26f, material_tone_ = 0.15f, shade_ = 0.0f;
+    float darkness_ = 0.60f, white_from_ = 0.66f, shadow_below_ = 0.26f, material_tone_ = 0.15f, shade_ = 0.0f;
     glm::vec3 paper_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f}, uncertain_{1.0f};
     float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f, ink_map_detail_ = 0.9f;
     hw::MapName hatch_{"fine"}, tonal_, ink_map_;

@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "core/box.hpp"
+#include "geometry/face_tree.hpp"
 #include "geometry/predicates.hpp"
 
 namespace hw {
@@ -28,6 +29,7 @@ struct Placed {
     std::vector<glm::dvec3> positions;
     std::vector<Box> boxes;  ///< Of the faces.
     Box box;
+    std::vector<bool> does_meet_component;  ///< For each component, whether its box meets that of another.
 };
 
 bool do_meet(const Box& a, const Box& b)
@@ -36,9 +38,25 @@ bool do_meet(const Box& a, const Box& b)
            b.min.z <= a.max.z;
 }
 
+void find_meeting_components(Placed& object)
+{
+    const Surface& surface = *object.surface;
+    std::vector<Box> boxes(surface.components.size());
+    for (std::size_t face = 0; face < object.boxes.size(); ++face)
+        boxes[surface.face_component[face]].add(object.boxes[face]);
+    object.does_meet_component.assign(boxes.size(), false);
+    const FaceTree tree(boxes);
+    std::vector<std::uint32_t> found;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        found.clear();
+        tree.find(boxes[i], found);
+        object.does_meet_component[i] = found.size() > 1;  // one is itself
+    }
+}
+
 Placed placed(const LineObject& object)
 {
-    Placed result{object.surface, {}, {}, {}};
+    Placed result{object.surface, {}, {}, {}, {}};
     for (const glm::vec3& p : object.surface->positions)
         result.positions.emplace_back(object.world_from_object * glm::dvec4(glm::dvec3(p), 1.0));
     for (const auto& face : object.surface->faces) {
@@ -48,6 +66,7 @@ Placed placed(const LineObject& object)
         result.box.add(box.min);
         result.box.add(box.max);
     }
+    find_meeting_components(result);
     return result;
 }
 
@@ -73,7 +92,7 @@ bool does_rise(const glm::dvec3& gradient)
     return true;
 }
 
-/// All cuts between two objects.
+/// All cuts between two objects, or between the components of one: there a lower component is the first.
 class PairCuts {
  public:
     PairCuts(const Placed& first, const Placed& second) : objects_{&first, &second} {}
@@ -83,13 +102,23 @@ class PairCuts {
         std::array<std::vector<std::uint32_t>, 2> faces;
         for (int side = 0; side < 2; ++side)
             for (std::uint32_t face = 0; face < objects_[side]->boxes.size(); ++face)
-                if (do_meet(objects_[side]->boxes[face], objects_[1 - side]->box)) faces[side].push_back(face);
+                if (is_wanted(side, face)) faces[side].push_back(face);
         sweep(faces[0], faces[1]);
         std::sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) { return a.faces < b.faces; });
         return std::move(cuts_);
     }
 
  private:
+    bool is_alone() const { return objects_[0] == objects_[1]; }
+    std::uint32_t component(std::uint32_t face) const { return objects_[0]->surface->face_component[face]; }
+
+    bool is_wanted(int side, std::uint32_t face) const
+    {
+        if (!is_alone()) return do_meet(objects_[side]->boxes[face], objects_[1 - side]->box);
+        // Only components that come near another.
+        return objects_[0]->does_meet_component[component(face)];
+    }
+
     int longest_axis() const
     {
         const glm::dvec3 size = objects_[0]->box.size() + objects_[1]->box.size();
@@ -119,6 +148,8 @@ class PairCuts {
                           [&](std::uint32_t other) { return objects_[1 - side]->boxes[other].max[axis] < at; });
             for (const std::uint32_t other : open[1 - side]) {
                 if (!do_meet(objects_[side]->boxes[face], objects_[1 - side]->boxes[other])) continue;
+                if (is_alone() && (is_first ? component(face) >= component(other) : component(other) >= component(face)))
+                    continue;
                 is_first ? test(face, other) : test(other, face);
             }
             open[side].push_back(face);
@@ -306,10 +337,12 @@ std::vector<IntersectionLine> find_intersections(std::span<const LineObject> obj
     std::vector<Placed> world(objects.size());
     tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) { world[i] = placed(objects[i]); });
     std::vector<std::array<std::uint32_t, 2>> pairs;
-    for (std::uint32_t a = 0; a < objects.size(); ++a)
+    for (std::uint32_t a = 0; a < objects.size(); ++a) {
+        if (shows_intersections(objects[a]) && objects[a].surface->components.size() > 1) pairs.push_back({a, a});
         for (std::uint32_t b = a + 1; b < objects.size(); ++b)
             if ((shows_intersections(objects[a]) || shows_intersections(objects[b])) && do_meet(world[a].box, world[b].box))
                 pairs.push_back({a, b});
+    }
     std::vector<std::vector<Cut>> cuts(pairs.size());
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
         cuts[i] = PairCuts(world[pairs[i][0]], world[pairs[i][1]]).run();

@@ -10,9 +10,9 @@
 
 namespace hw {
 
-/// A straight piece of a line along which two objects go through each other.
+/// A straight piece of a line along which two objects go through each other, or two components of one.
 struct IntersectionLine {
-    std::array<std::uint32_t, 2> objects{};  ///< Indices into the objects given, rising.
+    std::array<std::uint32_t, 2> objects{};  ///< Indices into the objects given, rising; equal for components of one.
     std::array<std::uint32_t, 2> faces{};    ///< One of each object, Surface::faces.
     std::array<glm::dvec3, 2> ends_world{};
     std::array<std::uint32_t, 2> joints{};  ///< Pieces meet where these are equal.
@@ -24,9 +24,10 @@ struct IntersectionOptions {
     double contact_share = 1e-5;
 };
 
-/// All lines in which objects cut each other, for every view: the world space positions decide, rounded to doubles, by
-/// exact predicates with one tie rule, so that lines join from face to face without gaps. Pairs of
-/// which neither shows such lines are left out; so are cuts of an object with itself. Sorted by objects, then faces of the first.
+/// All lines in which objects cut each other, and components of one object, for every view: the world space positions
+/// decide, rounded to doubles, by exact predicates with one tie rule, so that lines join from face to face without gaps.
+/// Pairs of which neither shows such lines are left out; so are cuts of a component with itself. Sorted by objects, then
+/// faces of the first.
 std::vector<IntersectionLine> find_intersections(std::span<const LineObject> objects,
                                                  const IntersectionOptions& options = {});
 

@@ -10,6 +10,7 @@
 #include "geometry/cross_section.hpp"
 #include "geometry/directed_edges.hpp"
 #include "geometry/line_groups.hpp"
+#include "geometry/overlaps.hpp"
 #include "geometry/surface_faces.hpp"
 
 namespace hw {
@@ -80,11 +81,6 @@ struct SeamLine {
     std::uint32_t side_count;
 };
 
-struct Interval {
-    double from;
-    double to;
-};
-
 class SeamSearch {
  public:
     SeamSearch(std::span<const SeamObject> objects, const SeamOptions& options) : objects_(objects), options_(options)
@@ -97,6 +93,7 @@ class SeamSearch {
     {
         for (const auto& group : group_by_line(segments_, options_.tolerance_m)) look_along(group);
         look_at_complex_edges();
+        look_at_overlaps();
         std::vector<Seams> result(objects_.size());
         for (std::uint32_t line = 0; line < lines_.size(); ++line) report(line, result[lines_[line].object]);
         for (Seams& seams : result) {
@@ -218,6 +215,28 @@ class SeamSearch {
             if (length(line) > 0.0 && is_flat_across(faces_, options_.flat_rad)) {
                 hidden_[line].push_back({0.0, length(line)});
             }
+        }
+    }
+
+    /// Pieces that lie into one another: the end of one lies on a coplanar face of the other, where no line is.
+    void look_at_overlaps()
+    {
+        Overlaps overlaps(objects_, options_);
+        std::vector<FaceAtSegment> faces;
+        for (std::uint32_t line = 0; line < lines_.size(); ++line) {
+            const SeamLine& l = lines_[line];
+            const Segment& segment = segments_[line];
+            const SeamObject& object = objects_[l.object];
+            const std::vector<EdgeSide>& sides = sides_.at(object.surface);
+            const bool is_mirrored = glm::determinant(glm::dmat3(object.world_from_object)) < 0.0;
+            faces.clear();
+            for (std::uint32_t i = l.first_side; i < l.first_side + l.side_count; ++i) {
+                const glm::dvec3 apex = in_world(l.object, sides[i].apex);
+                const glm::dvec3 area = glm::cross(segment.to - segment.from, apex - segment.from);
+                const double size = glm::length(area);
+                if (size > 0.0) faces.push_back({apex, (sides[i].is_forward != is_mirrored ? area : -area) / size});
+            }
+            overlaps.find(segment.from, segment.to, object.style, faces, hidden_[line]);
         }
     }
 

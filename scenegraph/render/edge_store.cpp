@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/progress.hpp"
+#include "geometry/intersections.hpp"
 
 namespace hw {
 
@@ -38,10 +39,10 @@ void EdgeStore::prepare(std::span<const EdgeUse> uses)
         objects_[object].surface = &surface_of(key_of(object));
         progress.advance();
     }
-    find_object_seams(uses);
+    find_lines(uses);
 }
 
-void EdgeStore::find_object_seams(std::span<const EdgeUse> uses)
+void EdgeStore::find_lines(std::span<const EdgeUse> uses)
 {
     std::vector<SeamObject> together;
     std::vector<ObjectId> ids;
@@ -53,15 +54,38 @@ void EdgeStore::find_object_seams(std::span<const EdgeUse> uses)
         crease_rad = std::min(crease_rad, uses[object].crease_rad);
     }
     const std::vector<Seams> seams = find_seams(together, {.crease_rad = crease_rad});
-    for (std::size_t i = 0; i < ids.size(); ++i) assign_lines(ids[i], uses[ids[i]], &seams[i]);
+    const Intersections intersections = find_object_intersections(uses, ids);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        assign_lines(ids[i], uses[ids[i]], {&seams[i], intersections[i]});
 }
 
-void EdgeStore::assign_lines(ObjectId object, const EdgeUse& use, const Seams* seams)
+EdgeStore::Intersections EdgeStore::find_object_intersections(std::span<const EdgeUse> uses,
+                                                              std::span<const ObjectId> ids) const
+{
+    Intersections found(ids.size());
+    std::vector<LineObject> line_objects;
+    for (const ObjectId id : ids)
+        line_objects.push_back({.surface = objects_[id].surface,
+                                .world_from_object = scene_.world_from_object(id),
+                                .with_intersections = uses[id].with_intersections});
+    if (std::none_of(line_objects.begin(), line_objects.end(), shows_intersections)) return found;
+    for (const IntersectionLine& line : find_intersections(line_objects)) {
+        const std::uint32_t owner = line.objects[shows_intersections(line_objects[line.objects[0]]) ? 0 : 1];
+        const glm::dmat4 object_from_world = glm::inverse(line_objects[owner].world_from_object);
+        const auto in_object = [&](const glm::dvec3& p) {
+            return glm::vec3(glm::dvec3(object_from_world * glm::dvec4(p, 1.0)));
+        };
+        found[owner].push_back({in_object(line.ends_world[0]), in_object(line.ends_world[1])});
+    }
+    return found;
+}
+
+void EdgeStore::assign_lines(ObjectId object, const EdgeUse& use, const LineExtras& extras)
 {
     ObjectEdges& edges = objects_[object];
-    if (!seams->hidden.empty() || !seams->partly_hidden.empty()) {
+    if (!extras.is_empty()) {
         edges.own_lines = std::make_unique<LineMesh>(
-            build_line_mesh(*edges.surface, use.crease_rad, seams, key_of(object).is_solid, indices_));
+            build_line_mesh(*edges.surface, use.crease_rad, extras, key_of(object).is_solid, indices_));
         edges.lines = edges.own_lines.get();
         ++line_meshes_built_;
         return;
@@ -74,7 +98,7 @@ void EdgeStore::assign_lines(ObjectId object, const EdgeUse& use, const Seams* s
     }
     ++line_meshes_built_;
     edges.lines = &(shared_lines_[key] =
-                        build_line_mesh(*edges.surface, use.crease_rad, nullptr, key_of(object).is_solid, indices_));
+                        build_line_mesh(*edges.surface, use.crease_rad, {}, key_of(object).is_solid, indices_));
 }
 
 const Surface* EdgeStore::surface(ObjectId object) const

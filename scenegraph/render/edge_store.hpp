@@ -16,6 +16,7 @@ struct EdgeUse {
     bool is_used = false;
     float crease_rad = 0.0f;  ///< The smallest that they ask for.
     std::uint32_t style = 0;  ///< Objects of one style hide each other's seams.
+    bool with_intersections = false;
 };
 
 /// Surfaces and lines of the objects whose styles draw edges; nothing for others. Surfaces belong to meshes and are
@@ -50,13 +51,16 @@ class EdgeStore {
     struct ObjectEdges {
         const Surface* surface = nullptr;
         const LineMesh* lines = nullptr;
-        std::unique_ptr<LineMesh> own_lines;  ///< Of an object with seams.
+        std::unique_ptr<LineMesh> own_lines;  ///< Of an object with seams or intersections.
     };
+    /// For each object, ends of its lines in object space.
+    using Intersections = std::vector<std::vector<std::array<glm::vec3, 2>>>;
 
     MeshKey key_of(ObjectId object) const;
     const Surface& surface_of(const MeshKey& key);
-    void find_object_seams(std::span<const EdgeUse> uses);
-    void assign_lines(ObjectId object, const EdgeUse& use, const Seams* seams);
+    void find_lines(std::span<const EdgeUse> uses);
+    Intersections find_object_intersections(std::span<const EdgeUse> uses, std::span<const ObjectId> ids) const;
+    void assign_lines(ObjectId object, const EdgeUse& use, const LineExtras& extras);
 
     const Scene& scene_;
     LineIndices& indices_;

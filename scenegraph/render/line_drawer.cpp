@@ -9,6 +9,7 @@
 namespace hw {
 namespace {
 
+constexpr float kWholeFold = 1.5707963f;
 constexpr PipelineState kLineState{
     .depth_test = DepthTest::off, .writes_depth = false, .blending = Blending::over, .culling = Culling::off};
 
@@ -39,7 +40,7 @@ struct LineDrawer::Stretch {
 struct LineDrawer::LineProgram {
     const GpuProgram* gpu = nullptr;
     Primitive primitive = Primitive::triangles;
-    int clip_from_object, relative_from_object, eye_object, fade, presence_height, presence_inverted;
+    int clip_from_object, relative_from_object, eye_object, fade, stroke_scale, presence_height, presence_inverted;
 };
 
 LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices)
@@ -49,13 +50,12 @@ LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuStat
 
 LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) const
 {
-    if (frame.path == LinePath::quads) return LinePath::quads;
+    // Quads have the width that is asked for, with any number of samples, and need no state of their own: see
+    // `measure lines`. GL_LINES are the way of 2001, for who wants it.
+    if (frame.path != LinePath::native || look.depth_taper > 0.0f || !look.stroke.is_ruled()) return LinePath::quads;
     const float widest = *std::max_element(look.width_px.begin(), look.width_px.end()) * frame.view->px_scale;
     const bool fits = widest <= device_.max_line_width_px && widest + 1.0f <= device_.max_point_size_px;
-    if (frame.path == LinePath::native) return fits ? LinePath::native : LinePath::quads;
-    // Without multisampling a diagonal GL_LINES line comes out 12 % thin, and GL_LINES cannot taper.
-    const bool serves = fits && frame.samples > 1 && look.depth_taper == 0.0f;
-    return serves ? LinePath::native : LinePath::quads;
+    return fits ? LinePath::native : LinePath::quads;
 }
 
 std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineLook& look,
@@ -86,9 +86,11 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
     return first_lines;
 }
 
-std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, bool has_presence) const
+std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, const LineLook& look,
+                                                              bool has_presence) const
 {
-    const std::string presence = has_presence ? "#define HW_PRESENCE 1\n" : "";
+    std::string presence = has_presence ? "#define HW_PRESENCE 1\n" : "";
+    if (!look.stroke.is_ruled()) presence += "#define HW_STROKE 1\n";
     const auto make = [](const LinkedProgram& linked, Primitive primitive) {
         const GpuProgram& gpu = linked.gpu;
         return LineProgram{.gpu = &gpu,
@@ -97,6 +99,7 @@ std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, boo
                            .relative_from_object = linked.at.relative_from_object,
                            .eye_object = linked.gpu.location("hw_line_eye_object"),
                            .fade = gpu.location("hw_line_fade"),
+                           .stroke_scale = gpu.location("hw_stroke_scale"),
                            .presence_height = linked.at.presence_height,
                            .presence_inverted = linked.at.presence_inverted};
     };
@@ -120,6 +123,13 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
     GpuProgram::set(program.gpu->location("hw_line_width_px[0]"), std::span<const float>(widths));
     GpuProgram::set(program.gpu->location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
     GpuProgram::set(program.gpu->location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
+    GpuProgram::set(program.gpu->location("hw_line_fold"), glm::vec3(look.fold_weight, look.crease_rad, kWholeFold));
+    const StrokeCharacter& stroke = look.stroke;
+    GpuProgram::set(program.gpu->location("hw_stroke_px"),
+                    frame.view->px_scale *
+                        glm::vec4(stroke.wobble_px, stroke.bend_px, stroke.overshoot_px, stroke.taper_px));
+    GpuProgram::set(program.gpu->location("hw_stroke_dash"),
+                    glm::vec2(stroke.dash_px * frame.view->px_scale, stroke.dash_share));
 }
 
 void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges)
@@ -131,7 +141,7 @@ void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<co
             return has_presence(*item.item) == with_presence;
         });
         if (!is_needed) continue;
-        for (const LineProgram& program : programs_for(path, with_presence)) {
+        for (const LineProgram& program : programs_for(path, look, with_presence)) {
             set_look(program, frame, look);
             for (std::size_t i = 0; i < items.size(); ++i) {
                 const LineMesh* lines = edges.lines(items[i].object->object);
@@ -183,6 +193,7 @@ void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, c
     GpuProgram::set(program.fade,
                     glm::vec4(lines.mean_length * item.object->scale, look.far.none_spacing_px * view.px_scale,
                               look.far.full_spacing_px * view.px_scale, look.far.is_on ? 1.0f : 0.0f));
+    GpuProgram::set(program.stroke_scale, static_cast<float>(item.object->scale));
     set_presence(program.presence_height, program.presence_inverted, *item.item, view.time_s);
     const bool as_quads = program.primitive == Primitive::triangles;
     const std::uint32_t indices_per_line = as_quads ? 6 : 2;

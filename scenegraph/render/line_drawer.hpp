@@ -52,7 +52,7 @@ class LineDrawer {
     std::vector<std::uint32_t> stream_silhouettes(const LineFrame& frame, const LineLook& look,
                                                   std::span<const LineItem> items, EdgeStore& edges);
     /// Programs of one path for one look: bodies of lines, and for GL_LINES their ends.
-    std::vector<LineProgram> programs_for(LinePath path, bool has_presence) const;
+    std::vector<LineProgram> programs_for(LinePath path, const LineLook& look, bool has_presence) const;
     static std::vector<Stretch> stretches_of(const LineMesh& lines, const Surface& surface, const LineFrame& frame,
                                              const LineLook& look, LinePath path);
     void set_look(const LineProgram& program, const LineFrame& frame, const LineLook& look);

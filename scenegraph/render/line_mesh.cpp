@@ -19,6 +19,25 @@ bool is_cut_by_angle(EdgeGroup group)
     return group == EdgeGroup::convex || group == EdgeGroup::reflex || group == EdgeGroup::reflex_silent;
 }
 
+bool is_crease(LineClass line_class)
+{
+    return line_class == LineClass::ridge || line_class == LineClass::valley;
+}
+
+/// Writes into each line where it lies on its stroke.
+void set_strokes(std::vector<LineVertex>& vertices)
+{
+    std::vector<StrokeSegment> segments;
+    for (std::size_t i = 0; i < vertices.size(); i += 4)
+        segments.push_back({{vertices[i].position, vertices[i].other}, static_cast<LineClass>(vertices[i].line_class)});
+    const std::vector<LineStroke> strokes = find_strokes(segments);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const LineStroke& stroke = strokes[i / 4];
+        const glm::vec2 arc = i % 4 < 2 ? glm::vec2(stroke.from, stroke.to) : glm::vec2(stroke.to, stroke.from);
+        vertices[i].stroke = {arc, stroke.length, stroke.seed};
+    }
+}
+
 /// Gathers runs of lines in the order in which they are drawn.
 class RunBuilder {
  public:
@@ -33,16 +52,16 @@ class RunBuilder {
         for (std::uint32_t id = range.begin; id < range.end; ++id) {
             if (is_hidden(id)) continue;
             const auto& ends = surface_.edges.vertices[id];
-            add_line(surface_.positions[ends[0]], surface_.positions[ends[1]], line_class, sides_of(id));
+            add_line(surface_.positions[ends[0]], surface_.positions[ends[1]], line_class, sides_of(id),
+                     is_crease(line_class) ? fold_rad(surface_, id) : 0.0f);
             if (is_cut_by_angle(group)) run.edge_ids.push_back(id);
         }
         finish(std::move(run));
     }
-    void add_kept_pieces()
+    void add_pieces(std::span<const std::array<glm::vec3, 2>> pieces, LineClass line_class)
     {
-        if (seams_ == nullptr) return;
-        LineMesh::Run run{LineClass::border, line_count(), 0, EdgeGroup::border, {}};
-        for (const auto& piece : seams_->kept) add_line(piece[0], piece[1], LineClass::border, {});
+        LineMesh::Run run{line_class, line_count(), 0, EdgeGroup::border, {}};
+        for (const auto& piece : pieces) add_line(piece[0], piece[1], line_class, {}, 0.0f);
         finish(std::move(run));
     }
 
@@ -78,9 +97,9 @@ class RunBuilder {
         const bool has_both = both.normal_a != glm::vec3(0.0f) && both.normal_b != glm::vec3(0.0f);
         return has_both ? both : LineSides{};
     }
-    void add_line(const glm::vec3& a, const glm::vec3& b, LineClass line_class, const LineSides& sides)
+    void add_line(const glm::vec3& a, const glm::vec3& b, LineClass line_class, const LineSides& sides, float fold)
     {
-        append_line(vertices, a, b, line_class, sides);
+        append_line(vertices, a, b, line_class, sides, fold);
         length_sum += glm::distance(a, b);
     }
     void finish(LineMesh::Run run)
@@ -131,27 +150,30 @@ LineBuffer make_line_buffer(const LineIndices& indices)
     const std::array streams = {stream(VertexInput::position, 3, offsetof(LineVertex, position)),
                                 stream(VertexInput::other, 4, offsetof(LineVertex, other)),
                                 stream(VertexInput::normal, 3, offsetof(LineVertex, normal_a)),
-                                stream(VertexInput::tangent, 3, offsetof(LineVertex, normal_b))};
+                                stream(VertexInput::tangent, 3, offsetof(LineVertex, normal_b)),
+                                stream(VertexInput::uv0, 4, offsetof(LineVertex, stroke)),
+                                stream(VertexInput::uv1, 1, offsetof(LineVertex, fold_rad))};
     buffer.as_quads = GpuVertexArray(streams, &indices.quads());
     buffer.as_ends = GpuVertexArray(streams, &indices.ends());
     return buffer;
 }
 
 void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class,
-                 const LineSides& sides)
+                 const LineSides& sides, float fold_rad)
 {
-    const LineVertex from{a, b, static_cast<float>(line_class), sides.normal_a, sides.normal_b};
-    const LineVertex to{b, a, static_cast<float>(line_class), sides.normal_a, sides.normal_b};
+    const LineVertex from{a, b, static_cast<float>(line_class), sides.normal_a, sides.normal_b, {}, fold_rad};
+    const LineVertex to{b, a, static_cast<float>(line_class), sides.normal_a, sides.normal_b, {}, fold_rad};
     vertices.insert(vertices.end(), {from, from, to, to});
 }
 
-LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, bool is_culled,
+LineMesh build_line_mesh(const Surface& surface, float crease_rad, const LineExtras& extras, bool is_culled,
                          LineIndices& indices)
 {
     const EdgeClasses classes = classes_at(surface, crease_rad);
-    RunBuilder builder(surface, seams, is_culled);
+    RunBuilder builder(surface, extras.seams, is_culled);
     builder.add(classes.borders, LineClass::border, EdgeGroup::border);
-    builder.add_kept_pieces();
+    if (extras.seams != nullptr) builder.add_pieces(extras.seams->kept, LineClass::border);
+    builder.add_pieces(extras.intersections, LineClass::intersection);
     builder.add(classes.artist[0], LineClass::artist, EdgeGroup::artist_convex);
     builder.add(classes.artist[1], LineClass::artist, EdgeGroup::artist_reflex);
     builder.add(classes.ridges[0], LineClass::ridge, EdgeGroup::artist_convex);
@@ -160,6 +182,7 @@ LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* 
     builder.add(classes.valleys[1], LineClass::valley, EdgeGroup::reflex);
     builder.add(classes.valleys[2], LineClass::valley, EdgeGroup::reflex_silent);
 
+    set_strokes(builder.vertices);
     LineMesh mesh;
     mesh.crease_rad = crease_rad;
     mesh.mean_length = static_cast<float>(builder.length_sum / std::max(builder.line_count(), 1u));

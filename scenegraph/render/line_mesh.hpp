@@ -3,12 +3,14 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
 #include "geometry/seams.hpp"
 #include "geometry/surface.hpp"
 #include "gl/gpu_buffer.hpp"
+#include "render/line_strokes.hpp"
 #include "style/line_look.hpp"
 
 namespace hw {
@@ -22,6 +24,8 @@ struct LineVertex {
     /// Zero: drawn whatever the faces do.
     glm::vec3 normal_a;
     glm::vec3 normal_b;
+    glm::vec4 stroke;  ///< Length along the stroke at this end and at the other, LineStroke's length and seed.
+    float fold_rad;
 };
 
 /// The normals beside a line; zero by default.
@@ -55,7 +59,7 @@ struct LineBuffer {
 LineBuffer make_line_buffer(const LineIndices& indices);
 
 void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class,
-                 const LineSides& sides = {});
+                 const LineSides& sides = {}, float fold_rad = 0.0f);
 
 /// The lines of one surface that are drawn from every viewpoint. Ridges and valleys stand by falling fold, so that a
 /// larger crease angle draws the beginning of their runs.
@@ -73,9 +77,19 @@ struct LineMesh {
     float mean_length = 0.0f;  ///< Of its lines, object space.
 };
 
-/// `seams` may be null; else its hidden edges are left out and its kept pieces become borders. `is_culled`: faces that
-/// look away are not drawn.
-LineMesh build_line_mesh(const Surface& surface, float crease_rad, const Seams* seams, bool is_culled,
+/// What an object's neighbours change of its lines.
+struct LineExtras {
+    const Seams* seams = nullptr;  ///< Its hidden edges are left out and its kept pieces become borders; or null.
+    std::span<const std::array<glm::vec3, 2>> intersections;  ///< Object space.
+
+    bool is_empty() const
+    {
+        return intersections.empty() && (seams == nullptr || (seams->hidden.empty() && seams->partly_hidden.empty()));
+    }
+};
+
+/// `is_culled`: faces that look away are not drawn.
+LineMesh build_line_mesh(const Surface& surface, float crease_rad, const LineExtras& extras, bool is_culled,
                          LineIndices& indices);
 
 /// How many lines of a run a crease angle draws.

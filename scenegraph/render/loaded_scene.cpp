@@ -96,6 +96,7 @@ std::vector<EdgeUse> LoadedScene::edge_uses() const
             const float crease_rad = needs[style].edges->crease_rad;
             use.crease_rad = use.is_used ? std::min(use.crease_rad, crease_rad) : crease_rad;
             use.is_used = true;
+            use.with_intersections |= needs[style].edges->intersections;
         }
     }
     return uses;

@@ -134,6 +134,36 @@ TEST(seams, a_wall_on_a_floor_keeps_the_corner_between_them)
     EXPECT_TRUE(seams[0].hidden.empty());
 }
 
+TEST(seams, a_block_that_lies_into_another_loses_the_lines_inside_of_their_common_top)
+{
+    const hw::Surface block = hw::build_surface(box({0, 0, 0}, {1, 1, 1}));
+    // As high as the first, half as wide, and half inside of it: three lines of its top are cut to what is outside.
+    const glm::dmat4 post = glm::scale(shift(0.75, 0, 0.25), glm::dvec3(0.5, 1.0, 0.5));
+    const std::vector<hw::SeamObject> objects{{&block, shift(0, 0, 0)}, {&block, post}};
+    const auto seams = hw::find_seams(objects);
+    EXPECT_EQ(seams[1].hidden.size() + seams[1].partly_hidden.size(), 6u) << "three at the top, three at the bottom";
+    EXPECT_EQ(seams[1].hidden.size(), 2u) << "the one across lies inside whole";
+    EXPECT_EQ(seams[1].kept.size(), 4u);
+    // The first block's own corner is cut where the post's top goes on: at the top and at the bottom.
+    EXPECT_EQ(seams[0].partly_hidden.size(), 2u);
+    EXPECT_NEAR(hidden_length(block, seams[0]), 1.0, 2e-3);
+    const std::vector<hw::SeamObject> lower{{&block, shift(0, 0, 0)}, {&block, shift(0, -0.1, 0) * post}};
+    EXPECT_TRUE(hw::find_seams(lower)[1].hidden.empty()) << "a tenth lower is a step";
+    std::vector<hw::SeamObject> two_styles = objects;
+    two_styles[1].style = 7;
+    EXPECT_TRUE(hw::find_seams(two_styles)[1].hidden.empty());
+}
+
+TEST(seams, a_box_standing_inside_of_a_floor_tile_keeps_its_foot)
+{
+    const hw::Surface tile = floor_tile();
+    const hw::Surface block = hw::build_surface(box({0.25, 0, 0.25}, {0.75, 1, 0.75}));
+    const std::vector<hw::SeamObject> objects{{&tile, shift(0, 0, 0)}, {&block, shift(0, 0, 0)}};
+    const auto seams = hw::find_seams(objects);
+    EXPECT_TRUE(seams[1].hidden.empty()) << "its walls stand before the floor's plane";
+    EXPECT_TRUE(seams[0].hidden.empty());
+}
+
 TEST(seams, a_box_is_the_same_alone)
 {
     const hw::Surface block = hw::build_surface(box({0, 0, 0}, {1, 1, 1}));
