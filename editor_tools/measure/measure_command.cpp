@@ -11,6 +11,8 @@ void add_measure_command(CLI::App& app)
     measure->require_subcommand(1);
     add_measure_bsp(*measure);
     add_measure_frame(*measure);
+    add_measure_hatch(*measure);
+    add_measure_ink(*measure);
     add_measure_lightmap(*measure);
     add_measure_lines(*measure);
     add_measure_pvs(*measure);

@@ -11,6 +11,8 @@ namespace hw {
 
 void add_measure_bsp(CLI::App& measure);
 void add_measure_frame(CLI::App& measure);
+void add_measure_hatch(CLI::App& measure);
+void add_measure_ink(CLI::App& measure);
 void add_measure_lightmap(CLI::App& measure);
 void add_measure_lines(CLI::App& measure);
 void add_measure_pvs(CLI::App& measure);

@@ -29,8 +29,9 @@ ReportSection silhouettes_section(const std::vector<std::string>& models)
 {
     return {.name = "silhouettes",
             .title = "Silhouettes",
-            .says = "Milliseconds to find the silhouette edges from one eye, and the wrong edges against rational "
-                    "arithmetic, for every method and precision, at growing offsets from the origin.",
+            .says =
+                "Milliseconds to find the silhouette edges from one eye, and the wrong edges against rational "
+                "arithmetic, for every method and precision, at growing offsets from the origin.",
             .arguments = joined({"silhouettes"}, models, {"--offset", "0,1e3,1e5,1e6"}),
             .plots = {{.title = "Time against wrong edges (all models and offsets)",
                        .x_column = "ms_median",
@@ -44,8 +45,9 @@ ReportSection frame_section(const std::string& level)
 {
     return {.name = "frame",
             .title = "Frames",
-            .says = "Milliseconds of a frame along the level's tour at 1280 x 720, and the share of pixels that differ "
-                    "from the same frame drawn without the PVS.",
+            .says =
+                "Milliseconds of a frame along the level's tour at 1280 x 720, and the share of pixels that differ "
+                "from the same frame drawn without the PVS.",
             .arguments = {"frame", level, "--frames", "30"},
             .plots = {{.title = "Frame time against what the PVS changes",
                        .x_column = "median_ms.total",
@@ -59,8 +61,9 @@ ReportSection pvs_section(const std::vector<std::string>& scenes)
 {
     return {.name = "pvs",
             .title = "Potentially visible sets",
-            .says = "Seconds to compile, the average visible share, and claims that sampled rays prove wrong: there "
-                    "must be none.",
+            .says =
+                "Seconds to compile, the average visible share, and claims that sampled rays prove wrong: there "
+                "must be none.",
             .arguments = joined({"pvs"}, scenes),
             .plots = {{.title = "Compile time against over-estimate",
                        .x_column = "seconds",
@@ -70,12 +73,58 @@ ReportSection pvs_section(const std::vector<std::string>& scenes)
                        .series_columns = {"scene", "effort"}}}};
 }
 
+ReportSection hatch_section()
+{
+    return {
+        .name = "hatch",
+        .title = "Hatch maps",
+        .says =
+            "Spacing, stroke width, tone and contrast of hatch maps on planes and a sphere over distance and angle, "
+            "against lines of one width and one spacing: our choice of the level, hardware filtering, ordinary mips "
+            "and none.",
+        .arguments = {"hatch"},
+        .plots = {{.title = "Time against tone error",
+                   .x_column = "ms",
+                   .x_label = "ms for a picture of 64 x 512",
+                   .y_column = "tone_rms",
+                   .y_label = "RMS of tone, box-blurred over two spacings",
+                   .series_columns = {"choice"}},
+                  {.title = "Spacing by ink over distance",
+                   .x_column = "distance",
+                   .x_label = "distance; 1: a texel covers a pixel",
+                   .y_column = "ink_spacing_median",
+                   .y_label = "relative error, median",
+                   .series_columns = {"choice"}}}};
+}
+
+ReportSection ink_section(const fs::path& maps)
+{
+    std::vector<std::string> arguments{"ink"};
+    for (const char* name : {"stone_courses", "flagstones", "planks", "roof_tiles"})
+        arguments.push_back((maps / name).string());
+    return {
+        .name = "ink",
+        .title = "Ink maps",
+        .says =
+            "Width of strokes, tone and contrast of ink maps level by level: drawn anew from vectors, and filtered by "
+            "the minimum and the mean.",
+        .arguments = std::move(arguments),
+        .plots = {{.title = "Tone of the levels",
+                   .x_column = "level",
+                   .x_label = "level",
+                   .y_column = "tone",
+                   .y_label = "ink coverage",
+                   .series_columns = {"map", "filter"},
+                   .is_joined = true}}};
+}
+
 ReportSection lightmap_section()
 {
     return {.name = "lightmap",
             .title = "Lightmaps",
-            .says = "Seconds and error of baked light against closed-form form factors and a converged reference, over "
-                    "the number of samples.",
+            .says =
+                "Seconds and error of baked light against closed-form form factors and a converged reference, over "
+                "the number of samples.",
             .arguments = {"lightmap"},
             .plots = {{.title = "Time against error",
                        .x_column = "seconds",
@@ -99,9 +148,10 @@ ReportSection scale_section()
     };
     return {.name = "scale",
             .title = "Size of levels",
-            .says = "Rooms on a grid, from 64 to 500 of them, 10 objects each: what grows with the level, and a frame from "
-                    "the first room, which sees the same in all. The pixels that differ from a frame drawn without the PVS "
-                    "must be none.",
+            .says =
+                "Rooms on a grid, from 64 to 500 of them, 10 objects each: what grows with the level, and a frame from "
+                "the first room, which sees the same in all. The pixels that differ from a frame drawn without the PVS "
+                "must be none.",
             .arguments = {"scale"},
             .plots = {plot("Compile time", "compile_s", "seconds"), plot("Memory", "resident_mib", "MiB"),
                       plot("A frame of equal visible work", "frame_ms", "median ms")}};
@@ -118,7 +168,13 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
         models = joined(std::move(models), models_in(data / "models"));
         scenes = joined(std::move(scenes), models_in(data / "scenes"));
     }
-    return {silhouettes_section(models), frame_section(hall), pvs_section(scenes), lightmap_section(), scale_section()};
+    return {silhouettes_section(models),
+            frame_section(hall),
+            pvs_section(scenes),
+            lightmap_section(),
+            hatch_section(),
+            ink_section(content / "maps" / "ink"),
+            scale_section()};
 }
 
 }  // namespace hw

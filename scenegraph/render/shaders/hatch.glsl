@@ -125,14 +125,14 @@ struct HwHatching {
     HwHand hand;
 };
 
-// Tonal hatching: `tone` is ink coverage. The first direction carries light tones, its strokes wide apart, then closer; the
-// second crosses it in half-tones, a third in the dark, where strokes grow wider at last. So six tones, with everything
-// between them, and a darker tone keeps all strokes of a lighter one.
+// Tonal hatching: `tone` is ink coverage. The first direction carries light tones and half-tones, its strokes wide apart,
+// then closer, then twice as wide; the second crosses it in shade, a third in the dark, where strokes grow wider at last.
+// So six tones, with everything between them, and a darker tone keeps all strokes of a lighter one.
 // A loop that ends when the tone is reached, at the latest with the third direction, which takes all that is left: software
 // renderers run both sides of a branch, but leave a loop when all of its pixels have.
 float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
 {
-    float full = clamp(h.width_px / h.spacing_px, 0.02, 0.9);  // ink of a direction whose strokes are closest
+    float full = clamp(h.width_px / h.spacing_px, 0.02, 0.48);  // ink of a direction whose strokes are closest
     float inverse_full = 1.0 / full;
     float spacing = h.spacing_px * hw_px_scale;
     float inverse_spacing = 1.0 / spacing;
@@ -142,7 +142,7 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
     float widest = 2.5;
     float ink = 1.0 - wanted;
     for (int i = 0; ink >= 0.004; ++i) {
-        float part = i < 2 ? min(ink, full) : ink;
+        float part = i == 0 ? min(ink, 2.0 * full) : i == 1 ? min(ink, full) : ink;
         float closeness = clamp(part * inverse_full, 1.0 / widest, 1.0);
         float width = spacing * max(min(full, part * widest), part);
         mat2 turn = hw_to_strokes(direction);

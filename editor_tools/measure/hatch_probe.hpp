@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/pixels.hpp"
+#include "world/map_levels.hpp"
+#include "world/scene.hpp"
+
+namespace hw {
+
+class Context;
+
+/// The ways of choosing a hatch map's level that are compared.
+enum class LevelChoice : unsigned char { ours, trilinear, anisotropic, ordinary_mips, no_mips };
+inline constexpr std::array<std::string_view, 5> kLevelChoices{"ours", "trilinear", "anisotropic", "ordinary mips",
+                                                               "no mips"};
+
+/// Where hatching is looked at.
+struct HatchPlace {
+    bool is_sphere = false;
+    double angle_deg = 0.0;  ///< Between the plane's normal and the view; a sphere has all angles.
+    double distance = 1.0;   ///< 1: a texel of the map's finest level covers a pixel where it is seen straight on.
+};
+
+/// A picture of a hatched surface alone, lines level, and what it cost.
+struct HatchPicture {
+    Pixels pixels;
+    double surfaces_ms = 0.0;
+};
+
+/// Draws a plane or a sphere with the engine's own hatch map and shader, at 1 sample.
+class HatchProbe {
+ public:
+    /// Throws hw::Error. The context must be current in every call and outlive the probe.
+    explicit HatchProbe(Context& context);
+    ~HatchProbe();
+
+    HatchPicture draw(const HatchPlace& place, LevelChoice choice, glm::ivec2 size_px, double fov_deg);
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Linear ink coverage of a column of the picture, from top to bottom.
+std::vector<double> column_ink(const Pixels& picture, int x);
+
+}  // namespace hw
