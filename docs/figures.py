@@ -210,7 +210,7 @@ def ground_level(studio, side_m=400.0, **params):
         file.write(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(data)) + struct.pack("<II", len(text), 0x4E4F534A)
                    + text + struct.pack("<II", len(data), 0x004E4942) + data)
     return {"format": "hatchway-level/1", "scene": "../models/ground.glb",
-            "styles": {"ink": {"plugin": "pen_and_ink", "line_width_px": 0, "silhouette_width_px": 0, **params}},
+            "styles": {"ink": {"plugin": "pen_and_ink", "line_width_px": 0, "silhouette_width_px": 0, "border_width_px": 0, **params}},
             "assign": [{"nodes": "*", "style": "ink"}],
             "lights": [{"type": "sun", "direction": [0, -1, 0], "illuminance_lux": 50000}]}
 
@@ -382,11 +382,11 @@ def figure_13(studio):
 def figure_14(studio):
     camera = ("--camera", "statue")
     plain = studio.render(hall_in("pen_and_ink", tone="plain", spacing_px=6), *camera, size="420x560")
-    shaded = studio.render(hall_in("pen_and_ink", **INDOORS), *camera, size="420x560")
+    shaded = studio.render(hall_in("pen_and_ink", **FORM), *camera, size="420x560")
     return beside([framed(plain), framed(shaded)])
 
 
-INDOORS = {"white_from": 0.70, "shadow_below": 0.28}
+FORM = {"white_from": 0.8, "shadow_below": 0.3, "darkness": 0.65}  # light that models
 
 
 def figure_15(studio):
@@ -428,21 +428,26 @@ def teapot(studio, model):
 
 
 def dungeon(studio, model):
-    level = model_level(studio, model, {"crease_deg": 40}, [-0.55, -0.75, -0.4], 14.0)
-    return studio.render(level, size="1000x640")
+    level = model_level(studio, model, {"white_from": 0.92, "shadow_below": 0.3, "darkness": 0.72, "cross_deg": 80},
+                        [-0.45, -0.8, 0.42], 14.2)
+    picture = studio.render(level, "--eye", "20.5,3.4,9.5", "--target", "14,0.2,1", "--fov-deg", "58", size="1000x640")
+    return framed(picture)
 
 
 # ---- Contact sheets ---------------------------------------------------------------------------------------------------
 
-SHEET_SIZE = "236x150"
+SHEET_SIZE = "296x200"
+SHEET_CAMERA = ("--eye", "12.6,1.6,-1.4", "--target", "15.7,1.45,-3.7", "--fov-deg", "52")
+SHEET_LIGHT = {"white_from": 0.86, "shadow_below": 0.3}  # more shade than by default, to show what shades
 INK_CONTROLS = {
-    "colours": [{}, {"paper_colour": "#f3ead2", "ink_colour": "#4a2c12", "hatch_colour": "#6b4a2a"},
-                {"paper_colour": "#1d2733", "ink_colour": "#f2f2ea", "hatch_colour": "#c9d2da"}],
+    "colours": [{}, {"paper_colour": "#f3ead2", "uncertain_colour": "#f3ead2", "ink_colour": "#4a2c12", "crease_colour": "#4a2c12", "hatch_colour": "#6b4a2a"},
+                {"paper_colour": "#1d3350", "uncertain_colour": "#1d3350", "ink_colour": "#f2f2ea", "crease_colour": "#f2f2ea", "hatch_colour": "#c9d2da"}],
     "from_material": [{}, {"paper_from_material": 0.8}, {"ink_from_material": 1}],
     "certainty": [{}, {"uncertain_colour": "#cfe0f2"}, {"uncertain_colour": "#f4c9a8"}],
-    "tone_range": [{"white_from": 0.5, "shadow_below": 0.2}, {}, {"white_from": 1, "shadow_below": 0.5, "darkness": 0.9}],
+    "tone_range": [{"white_from": 0.6, "shadow_below": 0.1}, {}, {"white_from": 1, "shadow_below": 0.4, "darkness": 0.75}],
     "light_response": [{"light_response": 0}, {"light_response": 0.5}, {}],
-    "fade": [{}, {"fade": "height", "fade_from_m": 0, "fade_to_m": 4}, {"fade": "height", "fade_from_m": 4, "fade_to_m": 0}],
+    "fade": [{}, {"fade": "height", "fade_from_m": 0.3, "fade_to_m": 2.2},
+             {"fade": "height", "fade_from_m": 2.2, "fade_to_m": 0.3}],
     "hatch_direction": [{"hatch_deg": 0, "cross_deg": 90}, {}, {"hatch_direction": "principal", "hatch_deg": 0}],
     "tone": [{"tone": "plain"}, {}, {"tone": "halftone"}],
     "strokes": [{"spacing_px": 3, "stroke_width_px": 0.5}, {}, {"spacing_px": 9, "stroke_width_px": 1.6, "stroke_length_px": 0}],
@@ -452,23 +457,23 @@ INK_CONTROLS = {
 HYBRID_CONTROLS = {
     "gradient": [{"gradient": "none", "ink_weight": 0.5}, {"gradient": "height", "from_m": 0.5, "to_m": 3}, {}],
     "tint": [{}, {"tint": "#cfe0f2"}, {"tint": "#f4c9a8"}],
-    "colours": [{}, {"ink_colour": "#4a2c12", "hatch_colour": "#6b4a2a", "tint": "#f3ead2"}, {"paper_from_material": 0.8}],
+    "colours": [{}, {"ink_colour": "#4a2c12", "hatch_colour": "#6b4a2a", "tint": "#f3ead2", "uncertain_colour": "#f3ead2"}, {"paper_from_material": 0.8}],
     "certainty": [{}, {"uncertain_colour": "#cfe0f2"}, {"uncertain_colour": "#f4c9a8"}],
-    "tone_range": [{"white_from": 0.5, "shadow_below": 0.2}, {}, {"white_from": 1, "shadow_below": 0.5, "darkness": 0.9}],
+    "tone_range": [{"white_from": 0.6, "shadow_below": 0.1}, {}, {"white_from": 1, "shadow_below": 0.4, "darkness": 0.75}],
     "light_response": [{"light_response": 0}, {"light_response": 0.5}, {}],
     "hatch_direction": [{"hatch_deg": 0}, {}, {"hatch_direction": "principal", "hatch_deg": 0}],
 }
 
 
 def contact_sheets(studio):
-    for style, controls, camera in (("pen_and_ink", INK_CONTROLS, "well"), ("hybrid", HYBRID_CONTROLS, "well")):
+    for style, controls in (("pen_and_ink", INK_CONTROLS), ("hybrid", HYBRID_CONTROLS)):
         for name, choices in controls.items():
             pictures = []
             for params in choices:
-                level = hall_in(style, **params)
+                level = hall_in(style, **{**SHEET_LIGHT, **params})
                 level["assign"].append({"nodes": "*", "certainty": 0.3})
                 level["assign"].append({"nodes": "Courtyard/Well", "certainty": 1.0})
-                pictures.append(studio.render(level, "--camera", camera, size=SHEET_SIZE))
+                pictures.append(studio.render(level, *SHEET_CAMERA, size=SHEET_SIZE))
             write_png(os.path.join(ROOT, "npr_plugins", style, "controls", f"{name}.png"), beside(pictures, 4))
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the tables of styles' parameters into level_files.md, from content/level.schema.json. Run it after
-`hatchway schema --out content/level.schema.json`."""
+"""Writes the tables of styles' parameters into level_files.md and the styles' own pages, from content/level.schema.json. Run
+it after `hatchway schema --out content/level.schema.json`."""
 import json
 import pathlib
 import re
@@ -29,10 +29,31 @@ def table(style):
     return "".join(rows)
 
 
+def page_table(style):
+    params = dict(style["properties"])
+    params.pop("plugin")
+    rows = ["| parameter | values | default | meaning |\n|---|---|---|---|\n"]
+    for name, param in params.items():
+        default = str(param.get("default", ""))
+        default = default.lower() if default in ("True", "False") else re.sub(r"\.0$", "", default)
+        values = allowed(param).replace("`", "").replace(" or ", ", ").replace("a colour", "colour").replace("a map", "map")
+        rows.append(f"| `{name}` | {values} | {f'`{default}`' if default else ''} | {param['description']} |\n")
+    return "".join(rows)
+
+
+def write_pages(styles):
+    for style in styles:
+        page = DOCS.parent / "npr_plugins" / style["then"]["properties"]["plugin"]["const"] / "README.md"
+        text = page.read_text()
+        table_now = re.compile(r"^\| parameter \|.*\n(?:\|.*\n?)*", re.M)
+        page.write_text(table_now.sub(lambda _: page_table(style["then"]), text))
+
+
 def main():
     schema = json.loads((DOCS.parent / "content" / "level.schema.json").read_text())
     styles = schema["properties"]["styles"]["additionalProperties"]["allOf"]
     tables = "\n".join(table(style["then"]) for style in styles)
+    write_pages(styles)
     manual = DOCS / "level_files.md"
     text = manual.read_text()
     manual.write_text(re.sub(f"{BEGIN}.*{END}", lambda _: f"{BEGIN}\n{tables}\n{END}", text, flags=re.S))

@@ -46,7 +46,7 @@ TEST_F(halftone, the_mean_ink_over_evenly_spread_priorities_is_the_tone)
         style.fragment_file = "test_halftone.frag";
         load(style);
         const double mean = linear_mean(draw(view_from({0.0, 5.0, 0.1}, {0.0, 0.0, 0.0})));
-        EXPECT_NEAR(mean, tone, 0.02) << "tone " << tone;
+        EXPECT_NEAR(mean, tone, 0.01) << "tone " << tone;
         EXPECT_GT(mean, last) << "tone " << tone;
         last = mean;
         if (tone == 0.0f || tone == 1.0f) {
