@@ -35,6 +35,25 @@ TEST(looks, a_rule_reaches_the_children_of_the_node_that_it_names)
     EXPECT_EQ(hw::resolve_looks(level, two_columns_in_a_hall(), "photoreal")[1].style, "assumed");
 }
 
+TEST(looks, one_style_serves_brick_plank_and_tile_with_a_map_for_each)
+{
+    hw::Scene scene = two_columns_in_a_hall();
+    scene.materials = {{.name = "Brick_Old"}, {.name = "Plank"}, {.name = "Roof_Tile"}, {.name = "Plaster"}};
+    scene.objects.clear();
+    for (int material = 0; material < 4; ++material) scene.objects.push_back({.node = 1, .mesh = 0, .material = material});
+    hw::Level level;
+    level.assign = {{.nodes = "*", .style = "drawn"},
+                    {.materials = "Brick*", .maps = {{"ink", "brick"}}},
+                    {.materials = "Plank", .maps = {{"ink", "plank"}, {"hatch", "fine"}}},
+                    {.materials = "*Tile", .maps = {{"ink", "tile"}}}};
+    const auto looks = hw::resolve_looks(level, scene, "photoreal");
+    for (const hw::ObjectLook& look : looks) EXPECT_EQ(look.style, "drawn");
+    EXPECT_EQ(looks[0].maps, (std::map<std::string, std::string>{{"ink", "brick"}}));
+    EXPECT_EQ(looks[1].maps, (std::map<std::string, std::string>{{"ink", "plank"}, {"hatch", "fine"}}));
+    EXPECT_EQ(looks[2].maps, (std::map<std::string, std::string>{{"ink", "tile"}}));
+    EXPECT_TRUE(looks[3].maps.empty());
+}
+
 TEST(looks, tell_where_their_style_was_said)
 {
     hw::Level level;
