@@ -17,6 +17,7 @@ void add_check_command(CLI::App& app);
 void add_compile_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_silhouettes_command(CLI::App& app);
+void add_export_edges_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_map_command(CLI::App& app);

@@ -33,6 +33,7 @@ void add_commands(CLI::App& app)
     hw::add_compile_command(app);
     hw::add_info_command(app);
     hw::add_silhouettes_command(app);
+    hw::add_export_edges_command(app);
     hw::add_measure_command(app);
     hw::add_report_command(app);
     hw::add_map_command(app);
