@@ -6,11 +6,11 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "world/convex_cell.hpp"
 
 namespace hw {
 namespace {
 
-constexpr int kNone = -1;
 constexpr int kLargestTried = 16;           // candidate planes by area
 constexpr int kSampledTried = 16;           // and evenly among the others
 constexpr std::size_t kMostMeasured = 400;  // polygons that a candidate's cost is measured on
@@ -111,36 +111,86 @@ Parts split(const PlaneSet& planes, std::vector<BlockingPolygon> polygons, int p
     return parts;
 }
 
-int add_leaf(BspTree& tree, int cluster)
-{
-    tree.cluster_of_leaf.push_back(cluster);
-    return ~(tree.leaf_count++);
-}
+/// Builds a tree from the root down: structure splits first, then planes across what is long, then details.
+class TreeBuilder {
+ public:
+    TreeBuilder(BspBuild& build, double most_part) : build_(build), most_part_(most_part) {}
 
-/// `cluster` is kNone as long as structure splits.
-int build_node(BspBuild& build, std::vector<BlockingPolygon> polygons, int cluster, int depth)
-{
-    BspTree& tree = build.tree;
-    build.depth = std::max(build.depth, depth);
-    const bool has_structure = std::any_of(polygons.begin(), polygons.end(),
-                                           [](const BlockingPolygon& polygon) { return !polygon.is_detail; });
-    if (!has_structure && cluster == kNone) cluster = tree.cluster_count++;
-    if (polygons.empty()) return add_leaf(tree, cluster);
+    int build_structure(std::vector<BlockingPolygon> polygons, const ConvexCell& cell, int depth)
+    {
+        const bool has_structure = std::any_of(polygons.begin(), polygons.end(),
+                                               [](const BlockingPolygon& polygon) { return !polygon.is_detail; });
+        if (!has_structure) {
+            const int cluster = build_.tree.cluster_count++;
+            return build_part(std::move(polygons), cell, cluster, depth);
+        }
+        const int plane = best_splitter(build_.planes, polygons, false);
+        const FlowPlane rounded{build_.planes[plane].unit_normal, build_.planes[plane].unit_offset};
+        Parts parts = split(build_.planes, std::move(polygons), plane);
+        const std::size_t index = add_node(plane, std::move(parts.on), depth);
+        const int front = build_structure(std::move(parts.front), cell.in_front_of(rounded), depth + 1);
+        build_.tree.nodes[index].front = front;
+        const int back =
+            build_structure(std::move(parts.back), cell.in_front_of({-rounded.normal, -rounded.offset}), depth + 1);
+        build_.tree.nodes[index].back = back;
+        return static_cast<int>(index);
+    }
 
-    const int plane = best_splitter(build.planes, polygons, !has_structure);
-    Parts parts = split(build.planes, std::move(polygons), plane);
-    const int index = static_cast<int>(tree.nodes.size());
-    build.piece_count += static_cast<int>(parts.on.size());
-    tree.nodes.push_back({build.planes[plane]});
-    build.plane_of_node.push_back(plane);
-    build.is_detail_node.push_back(!has_structure);
-    build.polygons_of_node.push_back(std::move(parts.on));
-    const int front = build_node(build, std::move(parts.front), cluster, depth + 1);
-    tree.nodes[static_cast<std::size_t>(index)].front = front;
-    const int back = build_node(build, std::move(parts.back), cluster, depth + 1);
-    tree.nodes[static_cast<std::size_t>(index)].back = back;
-    return index;
-}
+ private:
+    /// Halves the cell across its longest side while that is too long.
+    int build_part(std::vector<BlockingPolygon> polygons, const ConvexCell& cell, int cluster, int depth)
+    {
+        const Box bounds = cell.bounds();
+        const glm::dvec3 size = cell.is_empty() ? glm::dvec3(0.0) : bounds.size();
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        if (!(size[axis] > most_part_)) return build_details(std::move(polygons), cluster, part_count_++, depth);
+        const std::int64_t place = static_cast<std::int64_t>(std::round(bounds.centre()[axis]));
+        std::array<std::int64_t, 3> normal{};
+        normal[static_cast<std::size_t>(axis)] = 1;
+        const int plane = build_.planes.add(make_plane(normal, -static_cast<Int128>(place))).plane;
+        const FlowPlane rounded{build_.planes[plane].unit_normal, build_.planes[plane].unit_offset};
+        Parts parts = split(build_.planes, std::move(polygons), plane);
+        const std::size_t index = add_node(plane, std::move(parts.on), depth);
+        const int front = build_part(std::move(parts.front), cell.in_front_of(rounded), cluster, depth + 1);
+        build_.tree.nodes[index].front = front;
+        const int back =
+            build_part(std::move(parts.back), cell.in_front_of({-rounded.normal, -rounded.offset}), cluster, depth + 1);
+        build_.tree.nodes[index].back = back;
+        return static_cast<int>(index);
+    }
+
+    int build_details(std::vector<BlockingPolygon> polygons, int cluster, int part, int depth)
+    {
+        if (polygons.empty()) {
+            build_.depth = std::max(build_.depth, depth);
+            build_.tree.cluster_of_leaf.push_back(cluster);
+            build_.part_of_leaf.push_back(part);
+            return ~(build_.tree.leaf_count++);
+        }
+        const int plane = best_splitter(build_.planes, polygons, true);
+        Parts parts = split(build_.planes, std::move(polygons), plane);
+        const std::size_t index = add_node(plane, std::move(parts.on), depth);
+        const int front = build_details(std::move(parts.front), cluster, part, depth + 1);
+        build_.tree.nodes[index].front = front;
+        const int back = build_details(std::move(parts.back), cluster, part, depth + 1);
+        build_.tree.nodes[index].back = back;
+        return static_cast<int>(index);
+    }
+
+    std::size_t add_node(int plane, std::vector<BlockingPolygon> on, int depth)
+    {
+        build_.depth = std::max(build_.depth, depth);
+        build_.piece_count += static_cast<int>(on.size());
+        build_.tree.nodes.push_back({build_.planes[plane]});
+        build_.plane_of_node.push_back(plane);
+        build_.polygons_of_node.push_back(std::move(on));
+        return build_.tree.nodes.size() - 1;
+    }
+
+    BspBuild& build_;
+    double most_part_;  ///< Grid steps.
+    int part_count_ = 0;
+};
 
 bool is_inside(const Box& box, const glm::dvec3& p)
 {
@@ -225,21 +275,25 @@ void collect_leaves(const BspTree& tree, int child, const Corners& polygon, cons
 }  // namespace
 
 BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygon> polygons,
-                   const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max)
+                   const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max,
+                   double most_part_m)
 {
     BspBuild build;
     build.tree.grid = grid;
     build.planes = std::move(planes);
     build.box_min = box_min;
     build.box_max = box_max;
+    Box box_grid;
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t i = static_cast<std::size_t>(axis);
+        box_grid.min[axis] = static_cast<double>(box_min[i]);
+        box_grid.max[axis] = static_cast<double>(box_max[i]);
         build.tree.bounds_world.min[axis] = grid.origin_world[axis] + static_cast<double>(box_min[i]) * grid.step_m;
         build.tree.bounds_world.max[axis] = grid.origin_world[axis] + static_cast<double>(box_max[i]) * grid.step_m;
     }
     build.tree.leaf_count = 0;
     build.tree.cluster_count = 0;
-    build_node(build, std::move(polygons), kNone, 0);
+    TreeBuilder(build, most_part_m / grid.step_m).build_structure(std::move(polygons), ConvexCell(box_grid), 0);
     build.tree.is_solid.assign(static_cast<std::size_t>(build.tree.leaf_count), 0);
     return build;
 }

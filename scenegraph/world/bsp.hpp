@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -45,7 +46,7 @@ struct BspBuild {
     BspTree tree;
     PlaneSet planes;
     std::vector<int> plane_of_node;
-    std::vector<std::uint8_t> is_detail_node;                    ///< Within a cluster.
+    std::vector<int> part_of_leaf;                               ///< Which part of its cluster; counted over all.
     std::vector<std::vector<BlockingPolygon>> polygons_of_node;  ///< The pieces that lie in each node's plane.
     std::array<std::int64_t, 3> box_min{};                       ///< Grid points.
     std::array<std::int64_t, 3> box_max{};
@@ -56,8 +57,10 @@ struct BspBuild {
 /// Splits space by the planes of `polygons`, which lie within the box; every decision is exact, so no piece is lost,
 /// doubled or misplaced. The splitter is the plane of least measured cost (pieces cut, balance, area that it takes
 /// along) among a fixed number of candidates: the largest polygons of the node and an even sample of the rest.
+/// Clusters longer than `most_part_m` are halved into parts by planes across the axes, before details split them.
 BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygon> polygons,
-                   const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max);
+                   const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max,
+                   double most_part_m = std::numeric_limits<double>::infinity());
 
 /// The leaf of a point, by exact signs; -1 outside of the box.
 int leaf_at(const BspTree& tree, const glm::dvec3& point_world);

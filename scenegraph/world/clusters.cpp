@@ -38,11 +38,17 @@ struct Border {
 /// Clusters as a graph that shrinks.
 class Merger {
  public:
-    Merger(const BspTree& tree, std::span<const LeafContact> contacts)
+    /// `group_of_leaf`: clusters of different groups are never merged; empty: all may be.
+    Merger(const BspTree& tree, std::span<const LeafContact> contacts, std::span<const int> group_of_leaf)
         : owner_(static_cast<std::size_t>(tree.cluster_count)), boxes_(owner_.size()), borders_(owner_.size())
     {
         std::iota(owner_.begin(), owner_.end(), 0);
-        for (const LeafContact& contact : contacts) add(tree, contact);
+        const auto group = [&](int leaf) {
+            return group_of_leaf.empty() ? 0 : group_of_leaf[static_cast<std::size_t>(leaf)];
+        };
+        for (const LeafContact& contact : contacts) {
+            if (group(contact.front_leaf) == group(contact.back_leaf)) add(tree, contact);
+        }
     }
 
     void merge(int count, const ClusterOptions& options)
@@ -312,12 +318,10 @@ void part_clusters(BspTree& tree, std::span<const LeafContact> contacts)
     }
 }
 
-}  // namespace
-
-void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options)
+void merge_open(BspTree& tree, std::span<const LeafContact> contacts, std::span<const int> group_of_leaf,
+                const ClusterOptions& options)
 {
-    part_clusters(tree, contacts);
-    Merger merger(tree, contacts);
+    Merger merger(tree, contacts, group_of_leaf);
     std::vector<std::uint8_t> is_open(static_cast<std::size_t>(tree.cluster_count));
     for (std::size_t leaf = 0; leaf < tree.is_solid.size(); ++leaf) {
         if (!tree.is_solid[leaf]) is_open[static_cast<std::size_t>(tree.cluster_of_leaf[leaf])] = 1;
@@ -334,6 +338,33 @@ void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const 
         tree.cluster_of_leaf[leaf] = tree.is_solid[leaf] ? 0 : number[static_cast<std::size_t>(owner)];
     }
     tree.cluster_count = count;
+}
+
+}  // namespace
+
+void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options)
+{
+    part_clusters(tree, contacts);
+    merge_open(tree, contacts, {}, options);
+}
+
+std::vector<int> split_into_cells(BspBuild& build, std::span<const LeafContact> contacts, const ClusterOptions& options)
+{
+    BspTree& tree = build.tree;
+    const std::vector<int> cluster_of_leaf = tree.cluster_of_leaf;
+    std::map<std::pair<int, int>, int> numbers;
+    for (std::size_t leaf = 0; leaf < cluster_of_leaf.size(); ++leaf) {
+        const std::pair key(cluster_of_leaf[leaf], build.part_of_leaf[leaf]);
+        tree.cluster_of_leaf[leaf] = numbers.emplace(key, static_cast<int>(numbers.size())).first->second;
+    }
+    tree.cluster_count = static_cast<int>(numbers.size());
+    merge_open(tree, contacts, cluster_of_leaf, options);
+    std::vector<int> cluster_of_cell(static_cast<std::size_t>(tree.cluster_count), 0);
+    for (std::size_t leaf = 0; leaf < cluster_of_leaf.size(); ++leaf) {
+        if (!tree.is_solid[leaf])
+            cluster_of_cell[static_cast<std::size_t>(tree.cluster_of_leaf[leaf])] = cluster_of_leaf[leaf];
+    }
+    return cluster_of_cell;
 }
 
 PortalGraph cluster_portals(const BspBuild& build, std::span<const LeafContact> contacts)
@@ -371,24 +402,29 @@ PortalGraph cluster_portals(const BspBuild& build, std::span<const LeafContact> 
     return graph;
 }
 
-std::vector<Box> cluster_boxes(const BspTree& tree, std::span<const LeafContact> contacts)
+std::vector<Box> leaf_boxes(const BspTree& tree, std::span<const LeafContact> contacts)
 {
-    std::vector<Box> boxes(static_cast<std::size_t>(tree.cluster_count));
-    const auto box_of = [&](int leaf) -> Box& {
-        return boxes[static_cast<std::size_t>(tree.cluster_of_leaf[static_cast<std::size_t>(leaf)])];
-    };
+    std::vector<Box> boxes(static_cast<std::size_t>(tree.leaf_count));
     for (const LeafContact& contact : contacts) {
-        const Box bounds{contact.bounds.min + tree.grid.origin_world, contact.bounds.max + tree.grid.origin_world};
-        box_of(contact.front_leaf).add(bounds);
-        box_of(contact.back_leaf).add(bounds);
+        boxes[static_cast<std::size_t>(contact.front_leaf)].add(contact.bounds);
+        boxes[static_cast<std::size_t>(contact.back_leaf)].add(contact.bounds);
     }
     // A corner of a leaf lies on a contact, unless it is a corner of the whole box.
     const Box& whole = tree.bounds_world;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 point((corner & 1) ? whole.max.x : whole.min.x, (corner & 2) ? whole.max.y : whole.min.y,
                                (corner & 4) ? whole.max.z : whole.min.z);
-        box_of(leaf_at(tree, point)).add(point);
+        boxes[static_cast<std::size_t>(leaf_at(tree, point))].add(point - tree.grid.origin_world);
     }
+    return boxes;
+}
+
+std::vector<Box> cluster_boxes(const BspTree& tree, std::span<const Box> boxes_of_leaves)
+{
+    std::vector<Box> boxes(static_cast<std::size_t>(tree.cluster_count));
+    for (std::size_t leaf = 0; leaf < boxes_of_leaves.size(); ++leaf)
+        boxes[static_cast<std::size_t>(tree.cluster_of_leaf[leaf])].add(boxes_of_leaves[leaf]);
+    for (Box& box : boxes) box = {box.min + tree.grid.origin_world, box.max + tree.grid.origin_world};
     return boxes;
 }
 

@@ -21,11 +21,20 @@ struct ClusterOptions {
 /// visible, never less.
 void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options);
 
+/// Parts the merged clusters anew into cells, for which rows are made: BspBuild::part_of_leaf within each cluster,
+/// small ones of a cluster merged as the options say. Clusters of the tree are the cells then, and number 0 stays the
+/// one of leaves that are not open. Returns each cell's cluster as it was.
+std::vector<int> split_into_cells(BspBuild& build, std::span<const LeafContact> contacts,
+                                  const ClusterOptions& options);
+
 /// The openings between the clusters. Those of one passage in one plane become their hull where that adds little, or
 /// where they are too many.
 PortalGraph cluster_portals(const BspBuild& build, std::span<const LeafContact> contacts);
 
+/// A box around each leaf, metres from the grid's origin.
+std::vector<Box> leaf_boxes(const BspTree& tree, std::span<const LeafContact> contacts);
+
 /// A box around each cluster, world space.
-std::vector<Box> cluster_boxes(const BspTree& tree, std::span<const LeafContact> contacts);
+std::vector<Box> cluster_boxes(const BspTree& tree, std::span<const Box> boxes_of_leaves);
 
 }  // namespace hw

@@ -6,31 +6,54 @@
 
 #include "world/clusters.hpp"
 #include "world/portals.hpp"
+#include "world/shaft_rows.hpp"
+#include "world/sight_slices.hpp"
 #include "world/structure.hpp"
 
 namespace hw {
 namespace {
 
-/// For each cluster, whether sight enters or leaves it: pockets that overlapping objects shut in are no places.
-std::vector<std::uint8_t> open_clusters(const PortalGraph& graph)
+constexpr double kPartFactor = 1.5;  // of the side of a cube, where the box is shared out among the cells evenly
+
+/// For each cell, whether sight enters or leaves its cluster: pockets that overlapping objects shut in are no places.
+std::vector<std::uint8_t> open_cells(const PortalGraph& graph, std::span<const int> cluster_of_cell)
 {
-    std::vector<std::uint8_t> result(static_cast<std::size_t>(graph.leaf_count));
+    std::vector<std::uint8_t> is_open(static_cast<std::size_t>(graph.leaf_count));
     for (const DirectedPortal& portal : graph.portals) {
-        result[static_cast<std::size_t>(portal.from_leaf)] = 1;
-        result[static_cast<std::size_t>(portal.to_leaf)] = 1;
+        is_open[static_cast<std::size_t>(portal.from_leaf)] = 1;
+        is_open[static_cast<std::size_t>(portal.to_leaf)] = 1;
     }
+    std::vector<std::uint8_t> result;
+    for (const int cluster : cluster_of_cell) result.push_back(is_open[static_cast<std::size_t>(cluster)]);
     return result;
 }
 
+/// What cells see of each other is what their clusters do.
+LeafRows rows_of_cells(const LeafRows& clusters, std::span<const int> cluster_of_cell)
+{
+    const int count = static_cast<int>(cluster_of_cell.size());
+    LeafRows cells_of_cluster(clusters.leaf_count(), count);
+    for (int cell = 0; cell < count; ++cell)
+        cells_of_cluster.show(cluster_of_cell[static_cast<std::size_t>(cell)], cell);
+    LeafRows rows(count, count);
+    for (int cell = 0; cell < count; ++cell) {
+        const std::span<std::uint64_t> row = rows.row(cell);
+        visit_bits(clusters.row(cluster_of_cell[static_cast<std::size_t>(cell)]), [&](int seen) {
+            const auto cells = cells_of_cluster.row(seen);
+            for (std::size_t word = 0; word < row.size(); ++word) row[word] |= cells[word];
+        });
+    }
+    return rows;
+}
+
 double average_visible_share(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh,
-                             const Visibility& visibility, const PortalGraph& graph)
+                             const Visibility& visibility, std::span<const std::uint8_t> is_open)
 {
     std::vector<double> triangles;
     for (const ChunkSlot& slot : visibility.slots) {
         const std::size_t mesh = static_cast<std::size_t>(scene.objects[slot.object].mesh);
         triangles.push_back(chunks_of_mesh[mesh][slot.chunk].index_count / 3.0);
     }
-    const std::vector<std::uint8_t> is_open = open_clusters(graph);
     const auto open_count = std::count(is_open.begin(), is_open.end(), std::uint8_t{1});
     const double total = std::accumulate(triangles.begin(), triangles.end(), 0.0);
     if (total == 0.0 || open_count == 0) return 1.0;
@@ -43,6 +66,13 @@ double average_visible_share(const Scene& scene, std::span<const MeshChunks> chu
     return sum / total / static_cast<double>(open_count);
 }
 
+/// Cells of even size, about as many as there may be.
+double longest_cell_m(const Scene& scene, const VisibilityOptions& options)
+{
+    const glm::dvec3 size = scene.bounds_world.is_empty() ? glm::dvec3(0.0) : scene.bounds_world.size();
+    return kPartFactor * std::cbrt(size.x * size.y * size.z / options.max_cells);
+}
+
 BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOptions& options, VisibilityStats& stats)
 {
     StructureOptions structure_options;
@@ -53,7 +83,7 @@ BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOpti
     stats.structure_polygons = structure.structure_count;
     stats.detail_polygons = static_cast<int>(structure.polygons.size()) - structure.structure_count;
     return build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons), structure.box_min,
-                     structure.box_max);
+                     structure.box_max, longest_cell_m(scene, options));
 }
 
 /// The union of the rows (of clusters or of slots) that an eye needs; empty where it sees everything.
@@ -98,21 +128,25 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     const std::vector<LeafContact> contacts = leaf_contacts(build);
     tell(0.2);
     merge_clusters(build.tree, contacts, {.most = options.max_clusters});
+    const PortalGraph graph = cluster_portals(build, contacts);
+    const std::vector<Box> boxes_of_leaves = leaf_boxes(build.tree, contacts);
+    const SightSlices slices(build, contacts, boxes_of_leaves, {.threads = options.threads});
+    const std::vector<int> cluster_of_cell = split_into_cells(build, contacts, {.most = options.max_cells});
     visibility.portals = cluster_portals(build, contacts);
-    const PortalGraph& graph = visibility.portals;
     visibility.tree = std::move(build.tree);
     tell(0.3);
     PvsOptions pvs_options;
     pvs_options.effort = options.effort;
     pvs_options.seconds = options.flow_seconds;
     pvs_options.threads = options.threads;
-    if (options.progress) pvs_options.progress = [&](double share) { tell(0.3 + 0.6 * share); };
+    if (options.progress) pvs_options.progress = [&](double share) { tell(0.3 + 0.4 * share); };
     PvsResult pvs = build_pvs(graph, pvs_options);
-    visibility.rows = std::move(pvs.rows);
-    tell(0.9);
-    visibility.cluster_boxes = cluster_boxes(visibility.tree, contacts);
-    visibility.slot_rows = slots_seen(
-        {scene, chunks_of_mesh, visibility.slots, visibility.tree, visibility.cluster_boxes}, visibility.rows);
+    visibility.rows = rows_of_cells(pvs.rows, cluster_of_cell);
+    tell(0.7);
+    visibility.cluster_boxes = cluster_boxes(visibility.tree, boxes_of_leaves);
+    const SlotPlaces places{scene, chunks_of_mesh, visibility.slots, visibility.tree, visibility.cluster_boxes};
+    visibility.slot_rows = slots_seen(places, visibility.rows);
+    hide_behind_slices(places, slices, boxes_of_leaves, {.threads = options.threads}, visibility.slot_rows);
     tell(1.0);
 
     VisibilityStats& stats = visibility.stats;
@@ -122,7 +156,8 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     stats.clusters = visibility.tree.cluster_count;
     stats.portals = static_cast<int>(graph.portals.size());
     stats.coarse_portals = pvs.coarse_portals;
-    stats.average_visible_share = average_visible_share(scene, chunks_of_mesh, visibility, graph);
+    stats.average_visible_share =
+        average_visible_share(scene, chunks_of_mesh, visibility, open_cells(graph, cluster_of_cell));
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return visibility;
 }

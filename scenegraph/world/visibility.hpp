@@ -19,9 +19,10 @@ namespace hw {
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
     int max_structure_polygons = 6000;  ///< The largest planes win; what does not is detail.
-    int max_detail_polygons = 6000;     ///< Details past this do not block.
+    int max_detail_polygons = 30000;    ///< Details past this do not block.
     double least_area_share = 1.5e-2;   ///< Least area in one plane, of the largest side of the scene's box.
     int max_clusters = 1000;            ///< Past this small ones that are open to each other are merged.
+    int max_cells = 300;                ///< Parts of the merged clusters, for which rows are made.
     double flow_seconds = 10.0;  ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
     int threads = 0;             ///< 0: as many as the machine has.
     std::function<void(double share)> progress;  ///< Told from any thread how much is done, 0 to 1; may be empty.

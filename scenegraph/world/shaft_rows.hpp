@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include "core/box.hpp"
+#include "world/sight_slices.hpp"
+#include "world/slot_rows.hpp"
+
+namespace hw {
+
+struct ShaftOptions {
+    int most_shafts = 32;  ///< For each pair of a cell and a slot; what is not proven then stays visible.
+    int threads = 0;       ///< 0: as many as the machine has.
+};
+
+/// Takes out of the rows the slots that no sight line from a cell reaches. Cells and slots are halved until every pair
+/// of halves is hidden by a slice or looks away. `leaf_boxes`: metres from the grid's origin. The same for any number
+/// of threads.
+void hide_behind_slices(const SlotPlaces& places, const SightSlices& slices, std::span<const Box> leaf_boxes,
+                        const ShaftOptions& options, LeafRows& slot_rows);
+
+}  // namespace hw
