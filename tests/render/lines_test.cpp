@@ -249,5 +249,108 @@ TEST_F(lines, adjacency_is_built_once_for_instances_and_for_ink_alone)
     EXPECT_EQ(stats_.silhouette_extractions, 2);
 }
 
+TEST_F(lines, at_the_foot_of_a_wall_have_all_their_width)
+{
+    add_object(scene_, floor_mesh(20.0f), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, box_mesh({1.0f, 2.0f, 1.0f}), at(0, 1, 0), painted(glm::vec3(1.0f)));
+    load(style_);
+    const Pixels pixels = draw_with(LinePath::quads, view_from({0, 0.6, 4}, {0, 0.5, 0}));
+    keep_picture(pixels, "lines_foot");
+    // Down a column through the middle of the front: its foot is the lowest ink, and two pixels of it.
+    double foot = 0.0;
+    for (int y = 130; y < 200; ++y) foot += 1.0 - std::pow(pixels.at(160, y)[0] / 255.0, 2.2);
+    EXPECT_NEAR(foot, 2.0, 0.1) << "half of it lies on the floor, which comes nearer";
+}
+
+TEST_F(lines, where_objects_go_through_each_other_are_drawn_when_asked_for)
+{
+    add_object(scene_, floor_mesh(4.0f), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), at(0, 0.2, 0), painted(glm::vec3(1.0f)));
+    load(style_);
+    const View view = view_from({0, 6, 0.01}, {0, 0, 0});
+    const View aslant = view_from({0, 1.5, 4}, {0, 0, 0});
+    const double without = ink(draw_with(LinePath::quads, aslant));
+    style_.intersections = true;
+    load(style_);
+    const Pixels pixels = draw_with(LinePath::quads, aslant);
+    keep_picture(pixels, "lines_intersection");
+    // The front foot: a metre at 3.5 m, along the picture.
+    const double foot_px = glm::distance(glm::vec2(-0.5f), glm::vec2(0.5f, -0.5f)) * 120.0 / std::tan(0.5236) / 3.76;
+    EXPECT_NEAR(ink(pixels) - without, 2.0 * foot_px, 0.1 * foot_px);
+    draw_with(LinePath::quads, view);
+    EXPECT_GT(stats_.triangles, 0u);
+}
+
+TEST_F(lines, by_hand_stay_where_they_are_whatever_was_drawn_before)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    add_object(scene_, sphere_mesh(0.4f, 16), at(0.9, 0, 0), painted(glm::vec3(1.0f)));
+    const View view = view_from({1.6, 1.4, 2.0}, {0.3, 0, 0});
+    load(style_);
+    const Pixels ruled = draw_with(LinePath::quads, view);
+    style_.look->stroke = {.wobble_px = 2.0f, .overshoot_px = 8.0f, .taper_px = 10.0f};
+    load(style_);
+    const Pixels first = draw_with(LinePath::quads, view);
+    keep_picture(first, "lines_by_hand");
+    EXPECT_GT(count_unlike(ruled, first, 64), 200) << "they stray";
+    draw_with(LinePath::quads, view_from({-1.6, 0.4, 2.5}, {0.3, 0, 0}));
+    EXPECT_EQ(count_unlike(first, draw_with(LinePath::quads, view)), 0);
+    EXPECT_NEAR(ink(first) / ink(ruled), 1.0, 0.25);
+}
+
+TEST_F(lines, by_hand_do_not_slide_over_the_object_when_the_eye_turns)
+{
+    add_object(scene_, box_mesh({3.0f, 0.5f, 0.5f}), kHere, painted(glm::vec3(1.0f)));
+    style_.look->stroke = {.dash_px = 24.0f, .dash_share = 0.5f};
+    load(style_);
+    // The eye moves sideways by so much that the picture of the front moves by whole pixels.
+    const double metres_per_px = 4.0 * std::tan(0.5236) / 120.0;
+    const Pixels here = draw_with(LinePath::quads, view_from({0, 0, 4.25}, {0, 0, 0}));
+    const double shift = 10 * metres_per_px;
+    const Pixels there = draw_with(LinePath::quads, view_from({shift, 0, 4.25}, {shift, 0, 0}));
+    int unlike = 0;
+    for (int y = 0; y < 240; ++y)
+        for (int x = 20; x < 300; ++x) unlike += std::abs(here.at(x, y)[0] - there.at(x - 10, y)[0]) > 48 ? 1 : 0;
+    EXPECT_GT(count_dark(here), 100);
+    EXPECT_LT(unlike, 12);
+}
+
+TEST_F(lines, that_are_dashed_have_the_share_of_their_dashes_and_silhouettes_are_whole)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    const View view = view_from({1.6, 1.4, 2.0}, {0, 0, 0});
+    load(style_);
+    const double whole = ink(draw_with(LinePath::quads, view));
+    style_.look->stroke = {.dash_px = 12.0f, .dash_share = 0.5f};
+    load(style_);
+    EXPECT_NEAR(ink(draw_with(LinePath::quads, view)) / whole, 0.5, 0.06);
+    scene_ = {};
+    add_object(scene_, sphere_mesh(1.0f, 32), kHere, painted(glm::vec3(1.0f)));
+    load(style_);
+    const double dashed_sphere = ink(draw_with(LinePath::quads, view_from({0, 0, 4}, {0, 0, 0})));
+    style_.look->stroke = {};
+    load(style_);
+    EXPECT_NEAR(dashed_sphere / ink(draw_with(LinePath::quads, view_from({0, 0, 4}, {0, 0, 0}))), 1.0, 0.01);
+}
+
+TEST_F(lines, of_a_lesser_fold_are_thinner_when_folds_count)
+{
+    add_object(scene_, sphere_mesh(1.0f, 5), kHere, painted(glm::vec3(1.0f)));  // folds of 36 degrees
+    style_.look->crease_rad = 0.3f;
+    const View view = view_from({0, 1, 4}, {0, 0, 0});
+    load(style_);
+    const double even = ink(draw_with(LinePath::quads, view));
+    style_.look->fold_weight = 1.0f;
+    load(style_);
+    EXPECT_LT(ink(draw_with(LinePath::quads, view)), 0.75 * even);
+    scene_ = {};
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    load(style_);
+    const double right_angles = ink(draw_with(LinePath::quads, view));
+    style_.look->fold_weight = 0.0f;
+    load(style_);
+    EXPECT_NEAR(right_angles / ink(draw_with(LinePath::quads, view)), 1.0, 0.01);
+}
+
 }  // namespace
 }  // namespace hw::test

@@ -106,7 +106,7 @@ ObjectId add_object(Scene& scene, MeshData mesh, const glm::dmat4& world_from_ob
 Needs TestStyle::needs() const
 {
     Needs needs;
-    if (look) needs.edges = EdgeNeed{.crease_rad = look->crease_rad};
+    if (look) needs.edges = EdgeNeed{.crease_rad = look->crease_rad, .intersections = intersections};
     if (shows_images) needs.images.push_back({"normal_depth", {}});
     needs.shadow = shadow;
     return needs;

@@ -32,6 +32,7 @@ class TestStyle final : public Style {
     void lines(Pass& pass, std::span<const DrawItem> items) override;
 
     std::optional<LineLook> look;  ///< Lines are drawn with this.
+    bool intersections = false;    ///< Lines where objects cut each other are among them.
     bool shows_images = false;     ///< Takes colours from normal_depth instead.
     ShadowNeed shadow = ShadowNeed::none;
     std::string fragment_file = "test_flat.frag";
