@@ -67,6 +67,7 @@ std::uint64_t compiled_level_key(const Scene& scene, const Level& level, const V
     key.add(options.max_detail_polygons);
     key.add(options.least_area_share);
     key.add(options.max_clusters);
+    key.add(options.max_cells);
     return key.value();
 }
 

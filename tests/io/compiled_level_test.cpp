@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "io/packed_rows.hpp"
+#include "io/portal_file.hpp"
 #include "world/scene_builder.hpp"
 
 namespace {
@@ -42,6 +43,7 @@ struct Rooms {
     {
         hw::VisibilityOptions options;
         options.threads = threads;
+        options.max_cells = 12;
         auto compiled = hw::test::compile(scene, options);
         chunks = std::move(compiled.chunks);
         level = {hw::compiled_level_key(scene, {}, options), options.effort, std::move(compiled.visibility)};
@@ -160,6 +162,7 @@ TEST(compiled_level, damage_is_refused_and_never_a_crash)
 {
     const Rooms rooms;
     const std::vector<std::byte> good = rooms.bytes();
+    ASSERT_LT(good.size(), 100'000u) << "so that the test is short";
     std::mt19937 random(1);
     for (int round = 0; round < 10'000; ++round) {
         std::vector<std::byte> bytes = good;
@@ -199,6 +202,20 @@ TEST(compiled_level, what_was_made_to_deceive_is_never_a_crash)
         taken += is_taken(rooms, bytes);
     }
     EXPECT_GT(taken, 0) << "signed files get past the hash, so that the checks behind it are what is tested";
+}
+
+TEST(compiled_level, portals_that_are_written_as_a_portal_file_show_the_same)
+{
+    const Rooms rooms;
+    const hw::PortalGraph& graph = rooms.level.visibility.portals;
+    const hw::PortalFile file = hw::parse_portals(hw::portals_text(graph), "rooms.prt");
+    const hw::PvsOptions options{.effort = hw::PvsEffort::exact};
+    const hw::LeafRows ours = hw::build_pvs(graph, options).rows;
+    const hw::LeafRows theirs = hw::build_pvs(file.graph, options).rows;
+    ASSERT_EQ(ours.leaf_count(), theirs.leaf_count());
+    EXPECT_GT(graph.portals.size(), 0u);
+    for (int leaf = 0; leaf < ours.leaf_count(); ++leaf)
+        EXPECT_TRUE(std::equal(ours.row(leaf).begin(), ours.row(leaf).end(), theirs.row(leaf).begin())) << leaf;
 }
 
 TEST(compiled_level, of_another_scene_is_refused)

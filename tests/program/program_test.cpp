@@ -27,7 +27,7 @@ TEST(program, says_what_it_can_do)
     const ProgramResult help = run_program({"--help"});
     EXPECT_EQ(help.exit_code, 0);
     for (const char* command :
-         {"walk", "render", "bake", "check", "info", "silhouettes", "measure", "report", "new-style", "schema"}) {
+         {"walk", "render", "bake", "check", "compile", "info", "silhouettes", "measure", "report", "new-style", "schema"}) {
         EXPECT_NE(help.out.find(command), std::string::npos) << command;
         const ProgramResult result = run_program({command, "--help"});
         EXPECT_EQ(result.exit_code, 0) << command;
