@@ -376,7 +376,9 @@ def figure_12(studio):
 # ---- The hall ---------------------------------------------------------------------------------------------------------
 
 def figure_13(studio):
-    return framed(studio.render(hall_level(), "--camera", "columns", size="800x520"))
+    """To the right a column that fades from find to conjecture as it rises."""
+    camera = ("--eye", "-0.6,1.7,6.4", "--target", "1.6,2.5,0", "--fov-deg", "62")
+    return framed(studio.render(hall_level(), *camera, size="800x520"))
 
 
 def figure_14(studio):
@@ -452,6 +454,7 @@ INK_CONTROLS = {
     "tone": [{"tone": "plain"}, {}, {"tone": "halftone"}],
     "strokes": [{"spacing_px": 3, "stroke_width_px": 0.5}, {}, {"spacing_px": 9, "stroke_width_px": 1.6, "stroke_length_px": 0}],
     "lines": [{"line_width_px": 0, "silhouette_width_px": 1}, {}, {"line_width_px": 2.4, "silhouette_width_px": 4}],
+    "line_character": [{"line_wobble_px": 2}, {"line_overshoot_px": 12, "line_taper_px": 20}, {"line_dash_px": 16}],
     "ink_map": [{"ink_map_strength": 0}, {"ink_map_detail": 0}, {"ink_map_detail": 2}],
 }
 HYBRID_CONTROLS = {
@@ -479,21 +482,40 @@ def contact_sheets(studio):
 
 OURS = {"4": figure_4, "5": figure_5, "7": figure_7, "8": figure_8, "9": figure_9, "9_plane": figure_9_plane, "11": figure_11,
         "12": figure_12, "13": figure_13, "14": figure_14, "15": figure_15}
+def readme_pictures(studio):
+    """The hall in each style, as its level says, and its courtyard."""
+    entrance = ("--camera", "entrance")
+    pictures = os.path.join(ROOT, "docs", "pictures")
+    for name in ("pen_and_ink", "hybrid", "photoreal"):
+        params = {"gradient": "height", "from_m": 0.5, "to_m": 4} if name == "hybrid" else {}
+        write_png(os.path.join(pictures, f"{name}.png"), studio.render(hall_in(name, **params), *entrance, size="960x600"))
+    write_png(os.path.join(pictures, "hall.png"), studio.render(hall_level(), *entrance, size="1280x720"))
+    write_png(os.path.join(pictures, "courtyard.png"), studio.render(hall_in("pen_and_ink", **SHADY), "--camera", "courtyard",
+                                                                     size="1000x640"))
+    page = os.path.join(ROOT, "npr_plugins", "pen_and_ink")
+    write_png(os.path.join(page, "hall.png"), studio.render(hall_in("pen_and_ink"), *entrance, size="960x600"))
+    shutil.copy(os.path.join(pictures, "courtyard.png"), os.path.join(page, "courtyard.png"))
+
+
+SHADY = {"white_from": 0.86, "shadow_below": 0.28, "darkness": 0.66}  # outside, in the sun, shade may be dark
+
 MODELS = {"teapot": teapot, "dungeon": dungeon}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="+", choices=[*OURS, *MODELS, "controls", "all"])
+    parser.add_argument("names", nargs="+", choices=[*OURS, *MODELS, "controls", "readme", "all"])
     parser.add_argument("--hatchway", default=os.path.join(ROOT, "build", "release", "bin", "hatchway"))
     parser.add_argument("--model")
     arguments = parser.parse_args()
-    names = [*OURS, "controls"] if "all" in arguments.names else arguments.names
+    names = [*OURS, "controls", "readme"] if "all" in arguments.names else arguments.names
     for name in names:
         studio = Studio(arguments.hatchway)
         try:
             if name == "controls":
                 contact_sheets(studio)
+            elif name == "readme":
+                readme_pictures(studio)
             elif name in MODELS:
                 if not arguments.model:
                     parser.error(f"{name} needs --model FILE.glb")
