@@ -453,7 +453,7 @@ INK_CONTROLS = {
     "hatch_direction": [{"hatch_deg": 0, "cross_deg": 90}, {}, {"hatch_direction": "principal", "hatch_deg": 0}],
     "tone": [{"tone": "plain"}, {}, {"tone": "halftone"}],
     "strokes": [{"spacing_px": 3, "stroke_width_px": 0.5}, {}, {"spacing_px": 9, "stroke_width_px": 1.6, "stroke_length_px": 0}],
-    "lines": [{"line_width_px": 0, "silhouette_width_px": 1}, {}, {"line_width_px": 2.4, "silhouette_width_px": 4}],
+    "lines": [{"line_width_px": 0, "valley_width_px": 0}, {}, {"line_width_px": 2.4, "silhouette_width_px": 4}],
     "line_character": [{"line_wobble_px": 2}, {"line_overshoot_px": 12, "line_taper_px": 20}, {"line_dash_px": 16}],
     "ink_map": [{"ink_map_strength": 0}, {"ink_map_detail": 0}, {"ink_map_detail": 2}],
 }
