@@ -1,0 +1,78 @@
+// `hatchway map` and what `info` says of hatching, from outside.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/images.hpp"
+#include "run_program.hpp"
+
+namespace hw::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string kPrism = (kContent / "models" / "prism.glb").string();
+
+/// Dark level lines on white.
+void write_drawing(const std::string& file, int lines)
+{
+    Pixels drawing{.width = 128, .height = 128, .channels = 1, .bytes = std::vector<std::uint8_t>(128 * 128, 255)};
+    for (int line = 0; line < lines; ++line)
+        for (int x = 8; x < 120; ++x)
+            for (int y = 0; y < 2; ++y) *drawing.at(x, 8 + line * 12 + y) = 0;
+    write_png(file, drawing);
+}
+
+}  // namespace
+
+TEST(map_program, inks_a_bitmap_anew_with_ever_fewer_of_its_strokes)
+{
+    const TemporaryFolder folder;
+    write_drawing(folder / "lines.png", 10);
+    const ProgramResult result = run_program({"map", "ink", folder / "lines.png", "--width", "128", "--out", folder / "map"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, testing::HasSubstr("level 0: 10 of 10 strokes"));
+    EXPECT_THAT(result.out, testing::HasSubstr("level 1: 5 of 10 strokes"));
+    EXPECT_EQ(json::parse(bytes_of(folder / "map/map.json"))["kind"], "ink");
+}
+
+TEST(map_program, filters_only_when_asked_and_refuses_drawings_without_ink)
+{
+    const TemporaryFolder folder;
+    write_drawing(folder / "lines.png", 10);
+    write_drawing(folder / "empty.png", 0);
+    const auto level_1 = [&](const std::string& filter) {
+        const std::string out = folder / filter;
+        EXPECT_EQ(run_program({"map", "ink", folder / "lines.png", "--width", "128", "--filter", filter, "--out", out}).exit_code, 0);
+        return bytes_of(out + "/level_1.png");
+    };
+    EXPECT_NE(level_1("minimum"), level_1("box"));
+    EXPECT_NE(level_1("minimum"), level_1("none"));
+    const ProgramResult refused = run_program({"map", "ink", folder / "empty.png", "--out", folder / "map"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, testing::HasSubstr("no ink"));
+    EXPECT_THAT(folder.names(), testing::Not(testing::Contains("map")));
+}
+
+TEST(map_program, a_priority_map_is_square)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_program({"map", "tonal", "--priority", "--tones", "4", "--width", "64", "--out", folder / "map"}).exit_code, 0);
+    const Pixels finest = read_image(folder / "map/level_0.png");
+    EXPECT_EQ(finest.width, 64);
+    EXPECT_EQ(finest.height, 64);
+}
+
+TEST(map_program, info_counts_where_hatching_breaks)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_program({"info", kPrism, "--hatch", "box", "--json", folder / "i.json"}).exit_code, 0);
+    const json info = json::parse(bytes_of(folder / "i.json"));
+    EXPECT_EQ(info["hatch_source"], "box");
+    EXPECT_EQ(info["hatch_charts"], 10) << "two caps and eight sides";
+    EXPECT_EQ(info["hatch_creases"], 24);
+    EXPECT_EQ(info["hatch_chart_borders"], 0);
+    EXPECT_EQ(info["hatch_singularities"], 0);
+}
+
+}  // namespace hw::test
