@@ -18,7 +18,7 @@ float probe_ink(HwSurface s)
     return 1.0 - texture(hw_hatch_map, at).r;
 #elif defined(PROBE_FINEST)
     return 1.0 - textureLod(hw_hatch_map, at, 0.0).r;
-#elif defined(PROBE_ANISOTROPIC)
+#else  // PROBE_ANISOTROPIC
     // The formula of EXT_texture_filter_anisotropic with 16 samples.
     vec2 size = vec2(hw_hatch_info.z, 1.0);
     vec2 dx = dFdx(at);
