@@ -149,7 +149,7 @@ std::array<Part, 2> halves(const BoxTree& tree, const Part& part)
 /// The proof that a slot is hidden from a cell.
 class Proof {
  public:
-    Proof(const SightSlices& slices, const BoxTree& eyes, const Target& target, int most_shafts)
+    Proof(const SightSlices& slices, const BoxTree& eyes, const Target& target, std::int64_t most_shafts)
         : slices_(slices), eyes_(eyes), target_(target), left_(most_shafts)
     {
     }
@@ -212,7 +212,7 @@ class Proof {
         int node = eyes.node;
         if (eyes_.nodes[static_cast<std::size_t>(node)].child < 0) return eyes.box.centre();
         while (eyes_.nodes[static_cast<std::size_t>(node)].child >= 0)
-            node = eyes_.nodes[static_cast<std::size_t>(node)].child + (left_ & 1);
+            node = eyes_.nodes[static_cast<std::size_t>(node)].child + static_cast<int>(left_ & 1);
         return eyes_.nodes[static_cast<std::size_t>(node)].box.centre();
     }
 
@@ -230,7 +230,7 @@ class Proof {
     const SightSlices& slices_;
     const BoxTree& eyes_;
     const Target& target_;
-    int left_;
+    std::int64_t left_;
     int last_ = -1;
 };
 
@@ -244,11 +244,23 @@ std::vector<std::vector<Box>> boxes_of_cells(const BspTree& tree, std::span<cons
     return result;
 }
 
+std::int64_t pair_count(const LeafRows& rows)
+{
+    std::int64_t count = 0;
+    for (int leaf = 0; leaf < rows.leaf_count(); ++leaf) {
+        for (const std::uint64_t word : rows.row(leaf)) count += __builtin_popcountll(word);
+    }
+    return count;
+}
+
 }  // namespace
 
 void hide_behind_slices(const SlotPlaces& places, const SightSlices& slices, std::span<const Box> leaf_boxes,
                         const ShaftOptions& options, LeafRows& slot_rows)
 {
+    const std::int64_t pairs = std::max<std::int64_t>(1, pair_count(slot_rows));
+    const std::int64_t most_shafts = std::min(options.most_shafts, options.most_shafts_in_all / pairs + 1);
+    const std::size_t stride = static_cast<std::size_t>(pairs / options.most_pairs) + 1;
     std::vector<Target> targets(places.slots.size());
     const std::vector<std::vector<Box>> cells = boxes_of_cells(places.tree, leaf_boxes);
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
@@ -259,13 +271,14 @@ void hide_behind_slices(const SlotPlaces& places, const SightSlices& slices, std
                 targets[slot] = make_target(places, static_cast<std::uint32_t>(slot));
         });
         tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t cell) {
+            if (cell % stride != 0) return;
             const BoxTree eyes(cells[cell]);
             if (eyes.nodes.empty()) return;
             const std::span<std::uint64_t> row = slot_rows.row(static_cast<int>(cell));
             visit_bits(row, [&](int slot) {
                 const Target& target = targets[static_cast<std::size_t>(slot)];
                 if (target.triangles.empty()) return;
-                if (Proof(slices, eyes, target, options.most_shafts).holds())
+                if (Proof(slices, eyes, target, most_shafts).holds())
                     row[static_cast<std::size_t>(slot) / 64] &= ~(std::uint64_t{1} << (slot % 64));
             });
         });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "core/box.hpp"
@@ -9,8 +10,11 @@
 namespace hw {
 
 struct ShaftOptions {
-    int most_shafts = 32;  ///< For each pair of a cell and a slot; what is not proven then stays visible.
-    int threads = 0;       ///< 0: as many as the machine has.
+    std::int64_t most_shafts = 32;  ///< For each pair of a cell and a slot; what is not proven stays visible.
+    std::int64_t most_shafts_in_all =
+        600'000;                        ///< Shared out evenly: a count, not a clock, so that rows stay the same.
+    std::int64_t most_pairs = 250'000;  ///< Past this only some of the cells are tried.
+    int threads = 0;                    ///< 0: as many as the machine has.
 };
 
 /// Takes out of the rows the slots that no sight line from a cell reaches. Cells and slots are halved until every pair

@@ -9,22 +9,9 @@
 #include "core/box.hpp"
 #include "world/bsp.hpp"
 #include "world/portals.hpp"
-#include "world/winding.hpp"
+#include "world/sight_slice.hpp"
 
 namespace hw {
-
-/// A plane through the scene as a bitmap: which texels a sight line may cross, from its front and from its back.
-/// A texel is closed only if no opening touches it.
-struct SightSlice {
-    FlowPlane plane;  ///< Metres from the grid's origin.
-    glm::dvec3 u{0.0}, v{0.0};
-    double first_u = 0.0, first_v = 0.0;  ///< Corner of the bitmap, metres along u and v.
-    double texel_m = 1.0;
-    int columns = 0;
-    int rows = 0;
-    int words = 0;                                           ///< Per row.
-    std::vector<std::uint64_t> open_forward, open_backward;  ///< Set where sight from behind, from the front, may pass.
-};
 
 /// How slices are chosen.
 struct SliceOptions {
