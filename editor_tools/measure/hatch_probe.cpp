@@ -101,6 +101,30 @@ Scene scene_of(MeshData mesh)
     return scene;
 }
 
+/// The define of hatch_probe.frag.
+const char* define_of(LevelChoice choice)
+{
+    switch (choice) {
+        case LevelChoice::ours:
+            return "PROBE_OURS";
+        case LevelChoice::anisotropic:
+            return "PROBE_ANISOTROPIC";
+        case LevelChoice::no_mips:
+            return "PROBE_FINEST";
+        case LevelChoice::trilinear:
+        case LevelChoice::ordinary_mips:
+            break;
+    }
+    return "PROBE_TRILINEAR";
+}
+
+}  // namespace
+
+std::unique_ptr<Style> make_probe_style(LevelChoice choice)
+{
+    return std::make_unique<ProbeStyle>(define_of(choice));
+}
+
 MapLevels ordinary_levels(const MapLevels& map)
 {
     MapLevels filtered = filtered_by_mean(map.levels.front(), map.size_m);
@@ -109,24 +133,23 @@ MapLevels ordinary_levels(const MapLevels& map)
     return filtered;
 }
 
-}  // namespace
-
 struct HatchProbe::State {
     explicit State(Context& context) : renderer(context) {}
 
     Renderer renderer;
     MapLevels ours = make_hatch_map({});
     MapLevels ordinary = ordinary_levels(ours);
-    std::array<ProbeStyle, 5> styles{ProbeStyle("PROBE_OURS"), ProbeStyle("PROBE_TRILINEAR"),
-                                     ProbeStyle("PROBE_ANISOTROPIC"), ProbeStyle("PROBE_TRILINEAR"),
-                                     ProbeStyle("PROBE_FINEST")};
+    std::array<std::unique_ptr<Style>, kLevelChoices.size()> styles;
     Scene scene;
 };
 
 HatchProbe::HatchProbe(Context& context) : state_(std::make_unique<State>(context))
 {
     ProgramCache& programs = state_->renderer.program_cache(installation_prefix() / "share" / "hatchway" / "shaders");
-    for (ProbeStyle& style : state_->styles) style.prepare(programs);
+    for (std::size_t i = 0; i < state_->styles.size(); ++i) {
+        state_->styles[i] = make_probe_style(static_cast<LevelChoice>(i));
+        state_->styles[i]->prepare(programs);
+    }
 }
 
 HatchProbe::~HatchProbe() = default;
@@ -141,7 +164,7 @@ HatchPicture HatchProbe::draw(const HatchPlace& place, LevelChoice choice, glm::
     SceneInput input;
     input.scene = &state_->scene;
     input.maps = {&state_->ours, &state_->ordinary};
-    input.styles = {{"probe", &state_->styles[static_cast<std::size_t>(choice)]}};
+    input.styles = {{"probe", state_->styles[static_cast<std::size_t>(choice)].get()}};
     StyledObject look;
     look.style = 0;
     look.maps[MapKind::hatch] = choice == LevelChoice::ordinary_mips ? 1 : 0;

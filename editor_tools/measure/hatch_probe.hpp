@@ -12,6 +12,7 @@
 namespace hw {
 
 class Context;
+class Style;
 
 /// The ways of choosing a hatch map's level that are compared.
 enum class LevelChoice : unsigned char { ours, trilinear, anisotropic, ordinary_mips, no_mips };
@@ -44,6 +45,12 @@ class HatchProbe {
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// A style that shows a hatch map alone, its level chosen in one way, not yet prepared.
+std::unique_ptr<Style> make_probe_style(LevelChoice choice);
+
+/// The map's finest level with ordinary mips under it.
+MapLevels ordinary_levels(const MapLevels& map);
 
 /// Linear ink coverage of a column of the picture, from top to bottom.
 std::vector<double> column_ink(const Pixels& picture, int x);

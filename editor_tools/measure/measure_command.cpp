@@ -10,6 +10,7 @@ void add_measure_command(CLI::App& app)
     CLI::App* measure = app.add_subcommand("measure", "Measures what an algorithm costs, and its error");
     measure->require_subcommand(1);
     add_measure_bsp(*measure);
+    add_measure_coherence(*measure);
     add_measure_frame(*measure);
     add_measure_hatch(*measure);
     add_measure_ink(*measure);

@@ -10,6 +10,7 @@ namespace hw {
 // command `hatchway measure NAME`. A measurement prints time and error against an independent reference, from one run.
 
 void add_measure_bsp(CLI::App& measure);
+void add_measure_coherence(CLI::App& measure);
 void add_measure_frame(CLI::App& measure);
 void add_measure_hatch(CLI::App& measure);
 void add_measure_ink(CLI::App& measure);

@@ -73,6 +73,36 @@ ReportSection pvs_section(const std::vector<std::string>& scenes)
                        .series_columns = {"scene", "effort"}}}};
 }
 
+ReportSection lines_section(const std::string& prism, const std::string& hall, const fs::path& data)
+{
+    std::vector<std::string> arguments{"lines", prism, hall};
+    if (!data.empty())
+        for (const char* name : {"models/teapot_bezier_n20.glb", "models/teapot_bezier_n31.glb", "models/bunny_69k.glb",
+                                 "scenes/dungeon_kaykit_9x7.glb"})
+            arguments.push_back((data / name).string());
+    arguments.insert(arguments.end(), {"--views", "2", "--sweep"});
+    const auto plot = [](const char* title, const char* x, const char* x_label, const char* y, const char* y_label) {
+        return PlotRecipe{.title = title,
+                          .x_column = x,
+                          .x_label = x_label,
+                          .y_column = y,
+                          .y_label = y_label,
+                          .series_columns = {"model"},
+                          .is_joined = true};
+    };
+    const char* factor = "polygon offset factor of the depth that lines are tested against";
+    return {.name = "lines",
+            .title = "Lines on the screen",
+            .says =
+                "Drawn lines against the exact visible lines at 1400 x 900: the share of their length that is missed, "
+                "the share of ink that lies elsewhere, gaps, and the drawn width over the one asked for.",
+            .arguments = std::move(arguments),
+            .plots = {plot("Missed over the offset", "factor_swept", factor, "missed", "share of visible length"),
+                      plot("Leaked over the offset", "factor_swept", factor, "leaked", "share of ink"),
+                      plot("Narrowest lines over the offset", "factor_swept", factor, "width_p5",
+                           "drawn / requested width, 5th percentile")}};
+}
+
 ReportSection hatch_section()
 {
     return {
@@ -116,6 +146,23 @@ ReportSection ink_section(const fs::path& maps)
                    .y_label = "ink coverage",
                    .series_columns = {"map", "filter"},
                    .is_joined = true}}};
+}
+
+ReportSection coherence_section(const std::string& level)
+{
+    return {.name = "coherence",
+            .title = "Hatching from frame to frame",
+            .says =
+                "Neighbouring frames along the level's tour, warped by the true motion of the surface: change of ink, "
+                "of tone "
+                "within 16 pixels, and the way of marks over the surface.",
+            .arguments = {"coherence", level},
+            .plots = {{.title = "Flicker against sliding",
+                       .x_column = "flicker",
+                       .x_label = "mean change of ink from frame to frame",
+                       .y_column = "slide_px_median",
+                       .y_label = "way of marks over the surface, pixels, median",
+                       .series_columns = {"ink"}}}};
 }
 
 ReportSection lightmap_section()
@@ -172,7 +219,9 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
             frame_section(hall),
             pvs_section(scenes),
             lightmap_section(),
+            lines_section(models.front(), hall, data),
             hatch_section(),
+            coherence_section(hall),
             ink_section(content / "maps" / "ink"),
             scale_section()};
 }
