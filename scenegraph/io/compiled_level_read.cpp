@@ -1,8 +1,9 @@
 // Everything here is checked although the hash holds: it finds damage, not a file that was made to deceive.
+#include <compiled_level_generated.h>
+
 #include <cmath>
 #include <cstring>
 
-#include "compiled_level_generated.h"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/limits.hpp"

@@ -1,7 +1,8 @@
+#include <compiled_level_generated.h>
+
 #include <map>
 #include <tuple>
 
-#include "compiled_level_generated.h"
 #include "core/hash.hpp"
 #include "io/compiled_level.hpp"
 #include "io/packed_rows.hpp"

@@ -39,6 +39,7 @@ const std::vector<ThirdParty> kThirdParties{
     {"tiny_gltf", std::regex(R"(scenegraph/io/.*)")},
     {"nlohmann/", std::regex(R"(scenegraph/io/.*|tests/.*)")},
     {"flatbuffers/", std::regex(R"(scenegraph/io/.*)")},
+    {"compiled_level_generated.h", std::regex(R"(scenegraph/io/.*)")},
     {"cairo", std::regex(R"(scenegraph/io/.*)")},
     {"png.h", std::regex(R"((scenegraph|tests)/io/.*)")},
     {"jpeglib.h", std::regex(R"((scenegraph|tests)/io/.*)")},
