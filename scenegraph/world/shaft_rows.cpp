@@ -14,7 +14,11 @@
 namespace hw {
 namespace {
 
-constexpr double kSlack_m = 3e-5;  // how far a drawn triangle may lie from its snapped copy
+/// How far a drawn triangle may lie from its snapped copy, and a little.
+double slack_m(const Grid& grid)
+{
+    return std::max(4.0 * grid.step_m, 3e-5);
+}
 
 int longest_axis(const glm::dvec3& size)
 {
@@ -77,19 +81,21 @@ struct TargetTriangle {
     double offset = 0.0;
     glm::dvec3 centre{0.0};
 
-    bool may_face(const Box& eyes) const
+    /// Whether it is drawn for a place of the box; `slack` metres behind it count.
+    bool may_face(const Box& eyes, double slack) const
     {
         if (normal == glm::dvec3(0.0)) return true;
         double most = offset;
         for (int axis = 0; axis < 3; ++axis)
             most += std::max(normal[axis] * eyes.min[axis], normal[axis] * eyes.max[axis]);
-        return most > -kSlack_m;
+        return most > -slack;
     }
 };
 
 /// A slot as a tree of its triangles.
 struct Target {
     std::vector<TargetTriangle> triangles;
+    double slack = 0.0;  ///< Metres.
     BoxTree tree{{}};
 };
 
@@ -104,6 +110,7 @@ Target make_target(const SlotPlaces& places, std::uint32_t slot)
     const double mirror_sign = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0 : 1.0;
     const glm::dvec3 origin = places.tree.grid.origin_world;
     Target target;
+    target.slack = slack_m(places.tree.grid);
     std::vector<Box> boxes;
     for (std::uint32_t i = 0; i < chunk.index_count; i += 3) {
         std::array<glm::dvec3, 3> corners;
@@ -121,7 +128,7 @@ Target make_target(const SlotPlaces& places, std::uint32_t slot)
         triangle.offset = -glm::dot(triangle.normal, corners[0]);
         triangle.centre = (corners[0] + corners[1] + corners[2]) / 3.0;
         target.triangles.push_back(triangle);
-        boxes.push_back({box.min - kSlack_m, box.max + kSlack_m});
+        boxes.push_back({box.min - target.slack, box.max + target.slack});
     }
     target.tree = BoxTree(boxes);
     return target;
@@ -190,7 +197,7 @@ class Proof {
             const glm::dvec3 share(place(2, line), place(3, line), place(5, line));
             const TargetTriangle& triangle = target_.triangles[(line * 7 % kLines * 2 + 1) * triangles / (2 * kLines)];
             const glm::dvec3 eye = box.min + box.size() * share;
-            if (triangle.may_face({eye, eye}) && slices_.cut(eye, triangle.centre) < 0) return true;
+            if (triangle.may_face({eye, eye}, target_.slack) && slices_.cut(eye, triangle.centre) < 0) return true;
         }
         return false;
     }
@@ -222,7 +229,7 @@ class Proof {
         const BoxTree::Node& all = target_.tree.nodes[static_cast<std::size_t>(node)];
         for (int i = 0; i < all.count; ++i) {
             const int index = target_.tree.order[static_cast<std::size_t>(all.first + (i + all.count / 2) % all.count)];
-            if (target_.triangles[static_cast<std::size_t>(index)].may_face(eyes)) return index;
+            if (target_.triangles[static_cast<std::size_t>(index)].may_face(eyes, target_.slack)) return index;
         }
         return -1;
     }

@@ -9,8 +9,6 @@
 namespace hw {
 namespace {
 
-constexpr double kMargin_m = 1e-4;  // by which a cross-section grows: the drawn surface was snapped
-
 /// The columns that a convex polygon touches in each row.
 class RowSpans {
  public:
@@ -171,8 +169,9 @@ bool is_closed(const SightSlice& slice, double side, const Box& eyes, const Box&
             most_v = std::max(most_v, p.v);
         }
     }
-    const int from_row = row_of(slice, least_v - kMargin_m), to_row = row_of(slice, most_v + kMargin_m);
-    const int from_column = column_of(slice, least_u - kMargin_m), to_column = column_of(slice, most_u + kMargin_m);
+    const int from_row = row_of(slice, least_v - slice.margin_m), to_row = row_of(slice, most_v + slice.margin_m);
+    const int from_column = column_of(slice, least_u - slice.margin_m),
+              to_column = column_of(slice, most_u + slice.margin_m);
     if (from_row < 0 || to_row >= slice.rows || from_column < 0 || to_column >= slice.columns) return false;
     bool is_rectangle_closed = true;
     for (int row = from_row; row <= to_row && is_rectangle_closed; ++row)
@@ -183,7 +182,7 @@ bool is_closed(const SightSlice& slice, double side, const Box& eyes, const Box&
     RowSpans spans(to_row - from_row + 1, slice.first_v + from_row * slice.texel_m, slice.texel_m);
     for (std::size_t i = 0; i < count; ++i) {
         const FlatPoint &a = hull[i], &b = hull[(i + 1) % count];
-        spans.add(a.u, a.v, b.u, b.v, kMargin_m);
+        spans.add(a.u, a.v, b.u, b.v, slice.margin_m);
     }
     for (int row = from_row; row <= to_row; ++row) {
         const double least = spans.least(row - from_row), most = spans.most(row - from_row);

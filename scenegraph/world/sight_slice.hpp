@@ -17,6 +17,7 @@ struct SightSlice {
     glm::dvec3 u{0.0}, v{0.0};
     double first_u = 0.0, first_v = 0.0;  ///< Corner of the bitmap, metres along u and v.
     double texel_m = 1.0;
+    double margin_m = 1e-4;  ///< By which a cross-section grows: what is drawn was snapped.
     int columns = 0;
     int rows = 0;
     int words = 0;                                           ///< Per row.

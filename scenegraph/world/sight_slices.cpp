@@ -15,7 +15,7 @@
 namespace hw {
 namespace {
 
-constexpr double kBehind_m = 1e-3;    // a target must be so far behind the plane: what lies in it is seen
+constexpr double kBehind_m = 1e-3;    // least: what lies in the plane itself is seen
 constexpr double kEyeSlack_m = 2e-5;  // eyes may be so far behind: boxes of leaves are rounded
 constexpr ClipTolerance kTolerance{1e-9, 1e-7};
 
@@ -40,6 +40,7 @@ class SliceMaker {
     {
         SightSlice slice;
         slice.plane = plane;
+        slice.margin_m = std::max(slice.margin_m, 8.0 * step_m_);
         const glm::dvec3 a = glm::abs(plane.normal);
         const glm::dvec3 helper = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
                                   : a.y <= a.z             ? glm::dvec3(0, 1, 0)
@@ -218,6 +219,7 @@ void add_solid_planes(const BspBuild& build, std::span<const Box> leaf_boxes, co
 SightSlices::SightSlices(const BspBuild& build, std::span<const LeafContact> contacts, std::span<const Box> leaf_boxes,
                          const SliceOptions& options)
 {
+    behind_m_ = std::max(kBehind_m, 64.0 * build.tree.grid.step_m);
     HW_ASSERT(options.most_faces + 3 * options.most_solids <= static_cast<int>(kMostSlices));
     std::vector<SlicePlane> planes;
     add_face_planes(build, options, planes);
@@ -251,7 +253,7 @@ std::size_t SightSlices::between(const Box& eyes, const Box& target, std::span<i
         found[count] = static_cast<int>(i);
         count +=
             static_cast<std::size_t>(((near > 0.0) != (far > 0.0)) & (std::abs(near) - near_reach >= -kEyeSlack_m) &
-                                     (std::abs(far) - far_reach >= kBehind_m));
+                                     (std::abs(far) - far_reach >= behind_m_));
     }
     return count;
 }

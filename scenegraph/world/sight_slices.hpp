@@ -32,8 +32,7 @@ class SightSlices {
                 const SliceOptions& options);
 
     /// Whether the sight lines from `eyes` to `target` (metres from the grid's origin) all meet what blocks.
-    /// Conservative: one slice between the two must be closed wherever a line between them crosses it. Source of the
-    /// idea: Airey; Teller. Shafts and planar blockers; a closed cross-section hides, whatever closes it. `last` is the
+    /// Conservative: one slice between the two must be closed wherever a line between them crosses it. `last` is the
     /// number of the slice that hid something last, or -1: it is tried first.
     bool hides(const Box& eyes, const Box& target, int& last) const;
 
@@ -51,6 +50,7 @@ class SightSlices {
     std::vector<SightSlice> slices_;
     std::array<std::vector<double>, 3> normals_;  ///< Of all slices, by axis: a quick search for those between.
     std::vector<double> offsets_;
+    double behind_m_ = 0.0;  ///< A target must be so far behind a plane to be hidden by it.
 };
 
 }  // namespace hw
