@@ -105,9 +105,8 @@ Pixels plane_picture(const MapLevels& map)
     renderer.load(std::move(input));
     const double pitch = glm::radians(0.5 * kFovDeg - 1.0);
     const double height = near_m * std::sin(pitch + glm::radians(0.5 * kFovDeg));
-    const CameraPlace camera{{0.013 * near_m, height, 0.0},
-                             {0.013 * near_m, height - std::sin(pitch), -std::cos(pitch)},
-                             kFovDeg};
+    const CameraPlace camera{
+        {0.013 * near_m, height, 0.0}, {0.013 * near_m, height - std::sin(pitch), -std::cos(pitch)}, kFovDeg};
     renderer.draw(camera_view(camera, {kWidth, kPlaneHeight}, scene.bounds_world), {});
     return renderer.read_picture();
 }

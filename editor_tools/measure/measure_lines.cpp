@@ -45,6 +45,7 @@ struct Variant {
     LinePath path;
     int samples;
     FaceOffset offset;
+    const char* sweep = "";  ///< The column that a sweep changes.
 };
 
 std::vector<Variant> variants_of(bool has_sweep)
@@ -54,9 +55,9 @@ std::vector<Variant> variants_of(bool has_sweep)
         for (const int samples : {1, 4}) variants.push_back({path, samples, {}});
     if (!has_sweep) return variants;
     for (const float factor : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f, 1.25f, 1.5f, 2.0f, 3.0f})
-        variants.push_back({LinePath::quads, 4, {factor, FaceOffset{}.units}});
+        variants.push_back({LinePath::quads, 4, {factor, FaceOffset{}.units}, "factor_swept"});
     for (const float units : {0.0f, 1.0f, 2.0f, 8.0f, 16.0f, 64.0f})
-        variants.push_back({LinePath::quads, 4, {FaceOffset{}.factor, units}});
+        variants.push_back({LinePath::quads, 4, {FaceOffset{}.factor, units}, "units_swept"});
     return variants;
 }
 
@@ -196,6 +197,9 @@ JsonValue row_json(const Row& row)
     json.set("gaps_per_1000_px", row.error.gaps_per_1000_px());
     json.set("width_median", row.error.width_quantile(0.5)).set("width_p5", row.error.width_quantile(0.05));
     json.set("ink_share", row.ink).set("exact_s", row.exact_s);
+    const std::string sweep = row.variant.sweep;
+    const FaceOffset& offset = row.variant.offset;
+    if (!sweep.empty()) json.set(sweep, static_cast<double>(sweep == "units_swept" ? offset.units : offset.factor));
     return json;
 }
 

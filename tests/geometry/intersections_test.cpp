@@ -47,6 +47,23 @@ TEST(intersections, a_box_through_a_floor_is_cut_around)
     for (const auto& line : lines) EXPECT_NEAR(line.ends_world[0].y, 0.0, 1e-15);
 }
 
+TEST(intersections, components_of_one_mesh_cut_each_other_like_objects)
+{
+    hw::MeshData mesh = box({-5, -1, -5}, {5, 0, 5});
+    const hw::MeshData post = box({-1, -0.5f, -1}, {1, 3, 1});
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), post.positions.begin(), post.positions.end());
+    mesh.normals.insert(mesh.normals.end(), post.normals.begin(), post.normals.end());
+    for (const std::uint32_t index : post.indices) mesh.indices.push_back(first + index);
+    const hw::Surface both = hw::build_surface(mesh);
+    ASSERT_EQ(both.components.size(), 2u);
+    const std::vector<hw::LineObject> objects{{&both}};
+    const auto lines = hw::find_intersections(objects);
+    EXPECT_NEAR(length_of(lines), 8.0, 1e-12);
+    EXPECT_EQ(odd_joints(lines), 0u);
+    for (const auto& line : lines) EXPECT_EQ(line.objects[0], line.objects[1]);
+}
+
 TEST(intersections, objects_in_contact_have_none)
 {
     const hw::Surface floor = hw::build_surface(box({-5, -1, -5}, {5, 0, 5}));
