@@ -31,10 +31,11 @@ HatchTotals hatch_totals(const Scene& scene, const std::string& source)
 std::string hatch_text(const HatchTotals& totals)
 {
     return fmt::format(
-        "hatching    {}: {} meshes got coordinates, {} charts; breaks at {} creases and {} chart borders, {} singular points; "
+        "hatching    {}: {} meshes got coordinates, {} charts; breaks at {} creases and {} chart borders, {} singular "
+        "points; "
         "{} vertices more; {:.2f} s\n",
-        totals.source, totals.meshes, totals.report.charts, totals.report.crease_edges, totals.report.chart_border_edges,
-        totals.report.singularities, totals.vertices_added, totals.seconds);
+        totals.source, totals.meshes, totals.report.charts, totals.report.crease_edges,
+        totals.report.chart_border_edges, totals.report.singularities, totals.vertices_added, totals.seconds);
 }
 
 void add_hatch_json(const HatchTotals& totals, JsonValue& json)

@@ -1,6 +1,7 @@
-// Directions are crosses while they are smoothed: four directions at right angles, as one complex number of four times the
-// angle. The direction of strongest curvature turns by 90 degrees where a surface changes from convex to saddle; a cross
-// does not, so strokes run on there. Which of the four is meant is decided for a whole piece, by what its faces prefer.
+// Directions are crosses while they are smoothed: four directions at right angles, as one complex number of four times
+// the angle. The direction of strongest curvature turns by 90 degrees where a surface changes from convex to saddle; a
+// cross does not, so strokes run on there. Which of the four is meant is decided for a whole piece, by what its faces
+// prefer.
 #include "geometry/direction_field.hpp"
 
 #include <algorithm>
@@ -86,7 +87,10 @@ class FieldMaker {
 
  private:
     std::uint32_t face_count() const { return static_cast<std::uint32_t>(mesh_.faces.size()); }
-    const glm::vec3& position(std::uint32_t corner) const { return mesh_.positions[mesh_.faces[corner / 3][corner % 3]]; }
+    const glm::vec3& position(std::uint32_t corner) const
+    {
+        return mesh_.positions[mesh_.faces[corner / 3][corner % 3]];
+    }
 
     std::vector<glm::vec3> corner_normals() const
     {
@@ -194,8 +198,8 @@ class FieldMaker {
         return std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
     }
 
-    /// Whether the cross turns on its way round a vertex, beside what the surface's own curvature turns it (Poincare and
-    /// Hopf: these turns add up to two on a sphere).
+    /// Whether the cross turns on its way round a vertex, beside what the surface's own curvature turns it (Poincare
+    /// and Hopf: these turns add up to two on a sphere).
     bool is_singular(std::uint32_t corner) const
     {
         float turned = 4.0f * kQuarter;

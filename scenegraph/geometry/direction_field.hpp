@@ -9,9 +9,9 @@ namespace hw {
 
 /// A direction on each face, and how directions fit together over its sides.
 struct DirectionField {
-    std::vector<glm::vec3> along;       ///< Unit, in the face's plane; zero where the face has none.
-    std::vector<bool> is_cut;           ///< Sides over which directions or coordinates cannot be continued.
-    std::vector<std::uint32_t> piece;   ///< Of each face: faces joined over sides that are not cut.
+    std::vector<glm::vec3> along;      ///< Unit, in the face's plane; zero where the face has none.
+    std::vector<bool> is_cut;          ///< Sides over which directions or coordinates cannot be continued.
+    std::vector<std::uint32_t> piece;  ///< Of each face: faces joined over sides that are not cut.
     std::uint32_t singularities = 0;
 };
 

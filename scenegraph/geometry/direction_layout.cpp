@@ -46,8 +46,8 @@ Element element_of(const std::array<glm::vec3, 3>& p, const glm::vec3& normal, d
     return element;
 }
 
-/// Conjugate gradients with the diagonal as preconditioner. The equations leave a constant open in each piece: its value
-/// stays that of the start.
+/// Conjugate gradients with the diagonal as preconditioner. The equations leave a constant open in each piece: its
+/// value stays that of the start.
 class LayoutSolver {
  public:
     LayoutSolver(const std::vector<Element>& elements, std::uint32_t count, int which)

@@ -1,5 +1,6 @@
-// Why coordinates belong to charts and not to pixels: an axis chosen anew for each pixel breaks strokes wherever a smooth
-// surface turns past 45 degrees. A chart goes on as long as it can be laid flat without much stretch, and ends at edges.
+// Why coordinates belong to charts and not to pixels: an axis chosen anew for each pixel breaks strokes wherever a
+// smooth surface turns past 45 degrees. A chart goes on as long as it can be laid flat without much stretch, and ends
+// at edges.
 #include "geometry/hatch_coordinates.hpp"
 
 #include <algorithm>
@@ -43,12 +44,18 @@ float along_axis(const glm::vec3& normal, int axis)
 glm::vec2 seen_along(int axis, const glm::vec3& p)
 {
     switch (axis) {
-        case 0: return {-p.z, p.y};
-        case 1: return {p.x, -p.z};
-        case 2: return {p.x, p.y};
-        case 3: return {p.z, p.y};
-        case 4: return {p.x, p.z};
-        default: return {-p.x, p.y};
+        case 0:
+            return {-p.z, p.y};
+        case 1:
+            return {p.x, -p.z};
+        case 2:
+            return {p.x, p.y};
+        case 3:
+            return {p.z, p.y};
+        case 4:
+            return {p.x, p.z};
+        default:
+            return {-p.x, p.y};
     }
 }
 
@@ -83,7 +90,8 @@ CornerUv box_coordinates(const WeldedMesh& mesh, const SmoothSides& sides)
     const std::vector<int> axes = face_axes(sides);
     CornerUv uv;
     for (std::size_t face = 0; face < mesh.faces.size(); ++face)
-        for (const std::uint32_t corner : mesh.faces[face]) uv.push_back(seen_along(axes[face], mesh.positions[corner]));
+        for (const std::uint32_t corner : mesh.faces[face])
+            uv.push_back(seen_along(axes[face], mesh.positions[corner]));
     return uv;
 }
 
@@ -131,9 +139,11 @@ CornerUv cylinder_coordinates(const WeldedMesh& mesh, const SmoothSides& sides)
 }
 
 /// The direction in which u rises on a face; any in its plane where u does not change.
-glm::vec3 rising_direction(const std::array<glm::vec3, 3>& p, const std::array<glm::vec2, 3>& uv, const glm::vec3& normal)
+glm::vec3 rising_direction(const std::array<glm::vec3, 3>& p, const std::array<glm::vec2, 3>& uv,
+                           const glm::vec3& normal)
 {
-    const glm::vec3 gradient = glm::cross(normal, (p[2] - p[1]) * uv[0].x + (p[0] - p[2]) * uv[1].x + (p[1] - p[0]) * uv[2].x);
+    const glm::vec3 gradient =
+        glm::cross(normal, (p[2] - p[1]) * uv[0].x + (p[0] - p[2]) * uv[1].x + (p[1] - p[0]) * uv[2].x);
     const float length = glm::length(gradient);
     if (length > 0.0f) return gradient / length;
     const glm::vec3 side = p[1] - p[0];
@@ -154,8 +164,8 @@ struct VertexKeyHash {
     }
 };
 
-/// One vertex for each use of a vertex of the mesh with the same coordinates. Triangles that welding removed have no area:
-/// they are drawn by nobody and keep vertices of their own.
+/// One vertex for each use of a vertex of the mesh with the same coordinates. Triangles that welding removed have no
+/// area: they are drawn by nobody and keep vertices of their own.
 class VertexMaker {
  public:
     VertexMaker(const MeshData& mesh, HatchCoordinates& result) : mesh_(mesh), result_(result)
@@ -165,7 +175,8 @@ class VertexMaker {
     void add(std::uint32_t corner, const glm::vec2& uv, const glm::vec3& direction)
     {
         const std::uint32_t vertex = mesh_.indices[corner];
-        const auto [place, is_new] = known_.try_emplace({vertex, uv}, static_cast<std::uint32_t>(result_.vertex.size()));
+        const auto [place, is_new] =
+            known_.try_emplace({vertex, uv}, static_cast<std::uint32_t>(result_.vertex.size()));
         if (is_new) {
             result_.vertex.push_back(vertex);
             result_.uv.push_back(uv);
@@ -199,7 +210,8 @@ void make_vertices(const MeshData& mesh, const WeldedMesh& welded, const SmoothS
             std::array<glm::vec3, 3> p;
             for (int c = 0; c < 3; ++c) p[c] = welded.positions[welded.faces[face][c]];
             const std::array<glm::vec2, 3> corner_uv{uv[face * 3], uv[face * 3 + 1], uv[face * 3 + 2]};
-            const glm::vec3 direction = rising_direction(p, corner_uv, sides.normals[face]) * (sides.areas[face] + 1e-20f);
+            const glm::vec3 direction =
+                rising_direction(p, corner_uv, sides.normals[face]) * (sides.areas[face] + 1e-20f);
             for (std::uint32_t c = 0; c < 3; ++c) maker.add(triangle * 3 + c, corner_uv[c], direction);
             ++face;
             continue;

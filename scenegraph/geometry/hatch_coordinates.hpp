@@ -27,8 +27,8 @@ struct HatchReport {
 
 /// Hatch coordinates of a mesh. Vertices of the mesh stand once for each chart that they are in.
 struct HatchCoordinates {
-    std::vector<std::uint32_t> vertex;   ///< Into the MeshData's streams, for each vertex here.
-    std::vector<glm::vec2> uv;           ///< About metres, object space; seen from outside u turned left by 90 degrees is v.
+    std::vector<std::uint32_t> vertex;  ///< Into the MeshData's streams, for each vertex here.
+    std::vector<glm::vec2> uv;  ///< About metres, object space; seen from outside u turned left by 90 degrees is v.
     std::vector<glm::vec3> direction;    ///< Unit, object space, along the surface: where u rises.
     std::vector<std::uint32_t> indices;  ///< Three per triangle, triangles in the order of the MeshData.
     HatchReport report;

@@ -11,7 +11,8 @@ namespace hw {
 /// No side beyond.
 inline constexpr std::uint32_t kNoSide = 0xffffffffu;
 
-/// The faces of a welded mesh and how they go on over their sides. Side 3 f + c runs from corner c of face f to the next.
+/// The faces of a welded mesh and how they go on over their sides. Side 3 f + c runs from corner c of face f to the
+/// next.
 struct SmoothSides {
     std::vector<std::uint32_t> twin;  ///< The same edge of the next face; kNoSide at borders and complex edges.
     std::vector<bool> is_crease;      ///< Of each side with a twin: folded by more than the angle.

@@ -1,6 +1,6 @@
-// The skeleton is a graph: nodes where lines end or meet, branches between them. Two lines that cross give four branches and
-// often two nodes with a short bridge: nodes that are nearer than a line is wide are one, and at each node branches that go
-// on straight become one stroke, as the hand drew it.
+// The skeleton is a graph: nodes where lines end or meet, branches between them. Two lines that cross give four
+// branches and often two nodes with a short bridge: nodes that are nearer than a line is wide are one, and at each node
+// branches that go on straight become one stroke, as the hand drew it.
 #include "render/bitmap_strokes.hpp"
 
 #include <algorithm>
@@ -14,9 +14,10 @@
 namespace hw {
 namespace {
 
-constexpr std::array<std::array<int, 2>, 8> kAround{{{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
-constexpr double kStraightCosine = 0.6;    // branches that bend less than 53 degrees at a node are one stroke
-constexpr double kDirectionPixels = 6.0;   // over which a branch's direction at its end is measured
+constexpr std::array<std::array<int, 2>, 8> kAround{
+    {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+constexpr double kStraightCosine = 0.6;   // branches that bend less than 53 degrees at a node are one stroke
+constexpr double kDirectionPixels = 6.0;  // over which a branch's direction at its end is measured
 constexpr double kSimplifyPixels = 0.4;
 constexpr int kMostReach = 6;  // pixels around a skeleton's pixel of which the middle is taken
 constexpr int kNoNode = -1;
@@ -42,7 +43,11 @@ double length_of(const Points& points)
 class Tracer {
  public:
     Tracer(const InkMask& lines, const InkMask& mask, const std::vector<float>& distance)
-        : lines_(lines), mask_(mask), distance_(distance), used_(lines.ink.size(), 0), node_of_(lines.ink.size(), kNoNode)
+        : lines_(lines),
+          mask_(mask),
+          distance_(distance),
+          used_(lines.ink.size(), 0),
+          node_of_(lines.ink.size(), kNoNode)
     {
     }
 
@@ -243,7 +248,8 @@ class StrokeJoiner {
             for (std::size_t j = i + 1; j < ends.size(); ++j) {
                 const double cosine = -glm::dot(direction_from(branches_[ends[i].branch], ends[i].side),
                                                 direction_from(branches_[ends[j].branch], ends[j].side));
-                if (cosine > kStraightCosine && ends[i].branch != ends[j].branch) pairs.push_back({cosine, ends[i], ends[j]});
+                if (cosine > kStraightCosine && ends[i].branch != ends[j].branch)
+                    pairs.push_back({cosine, ends[i], ends[j]});
             }
         std::ranges::stable_sort(pairs, std::ranges::greater(), &Pair::cosine);
         const auto is_free = [&](const BranchEnd& end) {
@@ -286,8 +292,10 @@ class StrokeJoiner {
             Points points = branch.points;
             if (end.side == 1) std::ranges::reverse(points);
             width_sum += branch.width * static_cast<double>(points.size());
-            // A branch may have been traced on the other side of the drawing's border: it goes on where the last one ended.
-            const glm::dvec2 shift = stroke.points.empty() ? glm::dvec2(0.0) : border_shift(stroke.points.back(), points.front());
+            // A branch may have been traced on the other side of the drawing's border: it goes on where the last one
+            // ended.
+            const glm::dvec2 shift =
+                stroke.points.empty() ? glm::dvec2(0.0) : border_shift(stroke.points.back(), points.front());
             for (const glm::dvec2& p : points) stroke.points.push_back(p + shift);
             end = partner_[end.branch][1 - end.side];
         }

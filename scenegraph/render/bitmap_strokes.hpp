@@ -13,9 +13,9 @@ struct BitmapStrokesDesc {
     double burr_widths = 1.0;  ///< Ends shorter than this many widths of their line are burrs of thinning.
 };
 
-/// The strokes of a drawing: its middle lines, continued straight over crossings. Widths are relative to the median one.
-/// Priorities are even: see rank_evenly(). Lines that leave the drawing on one side go on at the other. No ink gives no
-/// strokes.
+/// The strokes of a drawing: its middle lines, continued straight over crossings. Widths are relative to the median
+/// one. Priorities are even: see rank_evenly(). Lines that leave the drawing on one side go on at the other. No ink
+/// gives no strokes.
 std::vector<MapStroke> strokes_of_bitmap(const Pixels& drawing, const BitmapStrokesDesc& desc = {});
 
 }  // namespace hw

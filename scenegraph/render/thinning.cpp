@@ -9,7 +9,8 @@ namespace hw {
 namespace {
 
 /// The eight neighbours, from the upper one clockwise.
-constexpr std::array<std::array<int, 2>, 8> kAround{{{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+constexpr std::array<std::array<int, 2>, 8> kAround{
+    {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
 
 struct Pixel {
     int x;
@@ -43,7 +44,8 @@ bool is_stair_corner(const InkMask& mask, const Pixel& p)
 {
     const std::array<int, 8> n = neighbours(mask, p);
     for (std::size_t i = 0; i < 8; i += 2)
-        if (n[i] == 1 && n[(i + 2) % 8] == 1 && n[(i + 5) % 8] == 0 && n[(i + 4) % 8] == 0 && n[(i + 6) % 8] == 0) return true;
+        if (n[i] == 1 && n[(i + 2) % 8] == 1 && n[(i + 5) % 8] == 0 && n[(i + 4) % 8] == 0 && n[(i + 6) % 8] == 0)
+            return true;
     return false;
 }
 

@@ -29,8 +29,8 @@ MeshData tube(int segments, int rows)
     for (int row = 0; row < rows; ++row)
         for (int i = 0; i < segments; ++i) {
             const auto at = [&](int r, int s) { return static_cast<std::uint32_t>(r * segments + s % segments); };
-            for (const std::uint32_t v : {at(row, i), at(row, i + 1), at(row + 1, i + 1), at(row, i), at(row + 1, i + 1),
-                                          at(row + 1, i)})
+            for (const std::uint32_t v :
+                 {at(row, i), at(row, i + 1), at(row + 1, i + 1), at(row, i), at(row + 1, i + 1), at(row + 1, i)})
                 indices.push_back(v);
         }
     return mesh_of(positions, indices);
@@ -88,8 +88,8 @@ TEST(hatch_coordinates, seen_from_outside_v_lies_to_the_left_of_u_on_every_side_
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
         const auto [u, v] = gradients(mesh, hatch, t);
         const glm::vec3 a = mesh.positions[mesh.indices[t * 3]];
-        const glm::vec3 normal = glm::normalize(glm::cross(mesh.positions[mesh.indices[t * 3 + 1]] - a,
-                                                           mesh.positions[mesh.indices[t * 3 + 2]] - a));
+        const glm::vec3 normal = glm::normalize(
+            glm::cross(mesh.positions[mesh.indices[t * 3 + 1]] - a, mesh.positions[mesh.indices[t * 3 + 2]] - a));
         EXPECT_NEAR(glm::dot(glm::cross(u, v), normal), 1.0f, 1e-4f) << "triangle " << t;
     }
 }
@@ -165,7 +165,8 @@ TEST(hatch_coordinates, flat_ground_has_level_strokes_and_no_break)
     const HatchCoordinates hatch = make_hatch_coordinates(mesh, HatchSource::principal);
     EXPECT_EQ(hatch.report.charts, 1u);
     EXPECT_EQ(hatch.report.chart_border_edges, 0u);
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) EXPECT_NEAR(std::abs(gradients(mesh, hatch, t)[0].x), 1.0f, 0.02f);
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+        EXPECT_NEAR(std::abs(gradients(mesh, hatch, t)[0].x), 1.0f, 0.02f);
 }
 
 TEST(hatch_coordinates, a_scaled_and_moved_mesh_has_scaled_coordinates)

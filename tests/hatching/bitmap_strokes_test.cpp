@@ -24,7 +24,8 @@ Pixels drawn(const std::vector<MapStroke>& strokes, int size, double pen)
 double length_of(const MapStroke& stroke)
 {
     double length = 0.0;
-    for (std::size_t i = 1; i < stroke.points.size(); ++i) length += glm::distance(stroke.points[i - 1], stroke.points[i]);
+    for (std::size_t i = 1; i < stroke.points.size(); ++i)
+        length += glm::distance(stroke.points[i - 1], stroke.points[i]);
     return length;
 }
 
@@ -65,7 +66,8 @@ TEST(bitmap_strokes, a_stroke_lies_on_the_line_that_was_drawn)
 TEST(bitmap_strokes, a_wide_line_among_narrow_ones_keeps_its_relative_width)
 {
     std::vector<MapStroke> lines;
-    for (int i = 1; i < 8; ++i) lines.push_back({.points = {{0.1, i / 9.0}, {0.9, i / 9.0}}, .width = i == 4 ? 3.0 : 1.0});
+    for (int i = 1; i < 8; ++i)
+        lines.push_back({.points = {{0.1, i / 9.0}, {0.9, i / 9.0}}, .width = i == 4 ? 3.0 : 1.0});
     std::vector<MapStroke> found = strokes_of_bitmap(drawn(lines, 256, 3.0));
     ASSERT_EQ(found.size(), 7u);
     std::ranges::sort(found, {}, &MapStroke::width);

@@ -29,7 +29,8 @@ TEST(map_program, inks_a_bitmap_anew_with_ever_fewer_of_its_strokes)
 {
     const TemporaryFolder folder;
     write_drawing(folder / "lines.png", 10);
-    const ProgramResult result = run_program({"map", "ink", folder / "lines.png", "--width", "128", "--out", folder / "map"});
+    const ProgramResult result =
+        run_program({"map", "ink", folder / "lines.png", "--width", "128", "--out", folder / "map"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.out, testing::HasSubstr("level 0: 10 of 10 strokes"));
     EXPECT_THAT(result.out, testing::HasSubstr("level 1: 5 of 10 strokes"));
@@ -43,7 +44,9 @@ TEST(map_program, filters_only_when_asked_and_refuses_drawings_without_ink)
     write_drawing(folder / "empty.png", 0);
     const auto level_1 = [&](const std::string& filter) {
         const std::string out = folder / filter;
-        EXPECT_EQ(run_program({"map", "ink", folder / "lines.png", "--width", "128", "--filter", filter, "--out", out}).exit_code, 0);
+        EXPECT_EQ(run_program({"map", "ink", folder / "lines.png", "--width", "128", "--filter", filter, "--out", out})
+                      .exit_code,
+                  0);
         return bytes_of(out + "/level_1.png");
     };
     EXPECT_NE(level_1("minimum"), level_1("box"));
@@ -57,7 +60,9 @@ TEST(map_program, filters_only_when_asked_and_refuses_drawings_without_ink)
 TEST(map_program, a_priority_map_is_square)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_program({"map", "tonal", "--priority", "--tones", "4", "--width", "64", "--out", folder / "map"}).exit_code, 0);
+    ASSERT_EQ(
+        run_program({"map", "tonal", "--priority", "--tones", "4", "--width", "64", "--out", folder / "map"}).exit_code,
+        0);
     const Pixels finest = read_image(folder / "map/level_0.png");
     EXPECT_EQ(finest.width, 64);
     EXPECT_EQ(finest.height, 64);
