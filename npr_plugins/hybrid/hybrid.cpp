@@ -124,7 +124,7 @@ class Hybrid final : public hw::Style {
     int gradient_ = kObject, hatch_source_ = 0;
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
-    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.60f, white_from_ = 0.66f, shadow_below_ = 0.26f;
+    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.60f, white_from_ = 0.70f, shadow_below_ = 0.26f;
     float light_response_ = 1.0f, material_tone_ = 0.15f, paper_from_material_ = 0.0f, ink_from_material_ = 0.0f;
     glm::vec3 uncertain_{1.0f};
     hw::Program program_;

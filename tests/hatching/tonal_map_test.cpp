@@ -84,6 +84,27 @@ TEST(tonal_map, a_finer_level_holds_the_strokes_of_every_coarser_one)
     }
 }
 
+TEST(tonal_map, a_ramp_from_paper_to_ink_is_shown_within_four_hundredths_and_never_turns_back)
+{
+    for (std::size_t level = 0; level < tonal_map().levels.size(); ++level) {
+        double squares = 0.0;
+        double last = 0.0;
+        for (int step = 0; step <= 60; ++step) {
+            // As the shader blends: the two tones beside the one that is wanted; paper below the lightest.
+            const double index = 6.0 * step / 60.0 - 1.0;
+            const int lighter = static_cast<int>(std::floor(index));
+            const double light = lighter < 0 ? 0.0 : tone_of(tonal_map(), level, lighter);
+            const double dark = tone_of(tonal_map(), level, std::min(lighter + 1, 5));
+            const double shown = light + (index - lighter) * (dark - light);
+            EXPECT_GE(shown, last - 1e-9) << "level " << level << ", step " << step;
+            last = shown;
+            squares += (shown - step / 60.0) * (shown - step / 60.0);
+        }
+        EXPECT_LE(std::sqrt(squares / 61.0), 0.04) << "level " << level;
+        EXPECT_NEAR(last, 1.0, 0.01);
+    }
+}
+
 TEST(tonal_map, equal_descriptions_give_equal_bytes_and_another_seed_gives_others)
 {
     const MapLevels again = make_tonal_map({.size_texels = 128});
