@@ -10,6 +10,8 @@ namespace hw {
 namespace {
 
 constexpr float kPaperCreaseRad = 0.6981317f;  // 40 degrees
+constexpr double kHiddenWidth = 0.6;           // of a hidden line, and its opacity: it stays behind what is seen
+constexpr double kHiddenOpacity = 0.5;
 constexpr double kThinnestPx = 0.05;           // what is thinner is gone
 
 /// Mean length of the lines that an object draws from every viewpoint, object space.
@@ -152,10 +154,11 @@ void LevelLines::append_groups(VectorObject& object, const std::vector<VisibleLi
     for (const ObjectLineLook& pen : pens_[lines[begin].object]) {
         VectorGroup group{.line_type = line_type_name(lines[begin].line_class),
                           .is_hidden = !lines[begin].is_visible,
-                          .width_px = pen.look.width_px[index],
+                          .width_px = pen.look.width_px[index] * (lines[begin].is_visible ? 1.0 : kHiddenWidth),
+                          .opacity = lines[begin].is_visible ? 1.0 : kHiddenOpacity,
                           .colour_srgb = pen.look.colour[index]};
         for (std::size_t i = begin; i < end; ++i) {
-            const double width = width_at(lines[i], pen, camera);
+            const double width = width_at(lines[i], pen, camera) * (lines[i].is_visible ? 1.0 : kHiddenWidth);
             if (width >= kThinnestPx) group.lines.push_back({lines[i].points_px, lines[i].is_closed, width});
         }
         if (!group.lines.empty()) object.groups.push_back(std::move(group));

@@ -118,6 +118,20 @@ std::vector<Viewpoint> views_of(const Surface& surface, int count)
     return views;
 }
 
+/// Positions and faces as the model has them: what a program that loads it into OpenMesh goes through. Our surfaces put
+/// faces that lie close together side by side.
+Surface in_model_order(const Surface& surface)
+{
+    std::vector<std::uint32_t> order(surface.faces.size());
+    for (std::uint32_t face = 0; face < order.size(); ++face) order[face] = face;
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return surface.face_triangle[a] < surface.face_triangle[b]; });
+    Surface plain;
+    plain.positions = surface.positions;
+    for (const std::uint32_t face : order) plain.faces.push_back(surface.faces[face]);
+    return plain;
+}
+
 Subject subject_of(MeshData mesh, double offset, double scale, int view_count)
 {
     for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) * scale + offset);
@@ -125,7 +139,7 @@ Subject subject_of(MeshData mesh, double offset, double scale, int view_count)
     const auto start = std::chrono::steady_clock::now();
     subject.surface = build_surface(mesh, {.cluster_from_faces = 1});
     subject.preprocess_s = seconds_since(start);
-    subject.half_edges = std::make_unique<HalfEdgeMesh>(subject.surface);
+    subject.half_edges = std::make_unique<HalfEdgeMesh>(in_model_order(subject.surface));
     subject.oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces);
     subject.views = views_of(subject.surface, view_count);
     for (const Viewpoint& view : subject.views) subject.expected.push_back(subject.oracle->silhouettes(view.eye));

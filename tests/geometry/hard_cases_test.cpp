@@ -292,3 +292,20 @@ TEST(hard_viewers, mirrored_and_non_uniform_transforms)
     const hw::Viewpoint viewpoint = hw::in_object({glm::dvec3(4.0, 5.0, 6.0)}, matrix);
     EXPECT_EQ(wrong_edges(surface, viewpoint, oracle, scratch), 0u);
 }
+
+TEST(hard_viewers, orthographic_views_parallel_to_faces_and_edges)
+{
+    const hw::Surface block = hw::build_surface(box({-1, -2, -3}, {4, 5, 6}));
+    const hw::SilhouetteOracle oracle(block.positions, block.faces, hw::SilhouetteOracle::Arithmetic::rational_only);
+    hw::SilhouetteScratch scratch;
+    for (int i = 0; i < 27; ++i) {
+        const hw::Viewpoint view{glm::dvec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), true};
+        EXPECT_EQ(wrong_edges(block, view, oracle, scratch), 0u) << "direction " << i;
+    }
+}
+
+TEST(hard_viewers, mixed_scales_in_one_mesh)
+{
+    const hw::MeshData mixed = joined({box({0, 0, 0}, {1e-6f, 1e-6f, 1e-6f}), box({-1e6f, -1e6f, -1e6f}, {-1, -1, -1})});
+    EXPECT_EQ(wrong_edges_in_all_views(hw::build_surface(mixed, {.stitch_share = 0.0f}), true), 0u);
+}

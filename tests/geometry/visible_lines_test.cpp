@@ -131,6 +131,76 @@ TEST(visible_lines, opposite_flaps_and_duplicated_triangles_hide_nothing_of_them
     }
 }
 
+/// A triangle and what lies exactly in its plane, turned so that no coordinate is round, at an offset and a scale.
+hw::Surface turned(const hw::MeshData& mesh, float offset, float scale)
+{
+    glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(offset));
+    place = glm::rotate(place, 0.9f, glm::vec3(0.3f, 0.8f, 0.2f));
+    return hw::build_surface(moved(mesh, glm::scale(place, glm::vec3(scale))));
+}
+
+hw::LineCamera camera_at(float offset, float scale)
+{
+    const glm::dvec3 centre(offset);
+    return {.eye_world = centre + glm::dvec3(2.1, 1.3, 4.7) * static_cast<double>(scale),
+            .target_world = centre,
+            .size_px = {800, 600},
+            .near_m = 1e-3 * scale};
+}
+
+TEST(visible_lines, flaps_and_doubles_hide_nothing_at_any_offset_and_scale)
+{
+    const hw::MeshData front = mesh_of({{-1, -1, 0}, {1, -0.9f, 0.1f}, {0.1f, 1, 0.3f}}, {0, 1, 2});
+    for (const hw::MeshData& mesh : {joined({front, turned_over(front)}), joined({front, front}),
+                                     joined({front, turned_over(front), front})}) {
+        for (const auto& [offset, scale] : {std::pair{0.0f, 1.0f}, {0.0f, 1e-6f}, {0.0f, 1e6f}, {1e3f, 1.0f},
+                                            {1e5f, 1e3f}, {1e6f, 1e4f}}) {
+            const hw::Surface surface = turned(mesh, offset, scale);
+            const std::vector<hw::LineObject> objects{{&surface}};
+            const auto lines = hw::find_visible_lines(objects, camera_at(offset, scale), {.with_hidden = true});
+            EXPECT_EQ(total(lines, false, 0), 0.0) << offset << " " << scale;
+            EXPECT_GT(total(lines, true, 0), 100.0) << offset << " " << scale;
+        }
+    }
+}
+
+TEST(visible_lines, within_an_object_the_smallest_step_behind_a_face_is_hidden)
+{
+    // The far square lies one unit in the last place behind the near one: no tolerance could tell both cases.
+    const float behind = std::nextafter(5.0f, 0.0f);
+    const hw::MeshData near = mesh_of({{-2, -2, 5}, {2, -2, 5}, {2, 2, 5}, {-2, 2, 5}}, {0, 1, 2, 0, 2, 3});
+    const auto far = [](float z) {
+        return mesh_of({{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}}, {0, 1, 2, 0, 2, 3});
+    };
+    const hw::LineCamera camera{.eye_world = {0.3, 0.2, 20}, .target_world = {0, 0, 5}, .size_px = {800, 600}};
+    const auto hidden = [&](float z) {
+        const hw::Surface both = hw::build_surface(joined({near, far(z)}), {.stitch_share = 0.0f});
+        const std::vector<hw::LineObject> objects{{&both}};
+        return total(hw::find_visible_lines(objects, camera, {.with_hidden = true}), false, 0);
+    };
+    EXPECT_EQ(hidden(5.0f), 0.0);
+    EXPECT_GT(hidden(behind), 200.0);
+}
+
+TEST(visible_lines, faces_that_are_culled_hide_nothing_and_carry_no_lines)
+{
+    const hw::Surface block = hw::build_surface(turned_over(box({-1, -1, -1}, {1, 1, 1})));
+    const hw::Surface square = upright_square();
+    const glm::dmat4 small = glm::scale(glm::dmat4(1.0), glm::dvec3(0.3));
+    std::vector<hw::LineObject> objects{{&block, glm::dmat4(1.0)}, {&square, small}};
+    EXPECT_EQ(total(hw::find_visible_lines(objects, kFront), true, 1), 0.0);
+    objects[0].is_culled = true;  // a room seen from outside through its wall
+    EXPECT_GT(total(hw::find_visible_lines(objects, kFront), true, 1), 100.0);
+}
+
+TEST(visible_lines, what_is_seen_through_hides_nothing)
+{
+    const hw::Surface square = upright_square();
+    std::vector<hw::LineObject> objects{{&square}, {&square, at(0.0, 0.0, -2.0)}};
+    objects[0].hides = false;
+    EXPECT_GT(total(hw::find_visible_lines(objects, kFront), true, 1), 100.0);
+}
+
 TEST(visible_lines, the_outline_of_a_sphere_is_one_closed_line)
 {
     const hw::Surface ball = hw::build_surface(sphere(64, 32));
