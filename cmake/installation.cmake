@@ -28,7 +28,7 @@ install(EXPORT hatchway_targets NAMESPACE hatchway:: DESTINATION ${package_folde
 export(EXPORT hatchway_targets NAMESPACE hatchway:: FILE "${build_package_folder}/hatchway_targets.cmake")
 
 # The headers that style/style.hpp shows to a style, and hw::Error.
-foreach(header core/box core/error core/pixels geometry/mesh_data world/presence world/scene)
+foreach(header core/box core/error core/pixels geometry/mesh_data geometry/hatch_coordinates world/presence world/scene)
     get_filename_component(layer ${header} DIRECTORY)
     install(FILES scenegraph/${header}.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hatchway/${layer}
             COMPONENT development)
