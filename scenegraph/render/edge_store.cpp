@@ -69,13 +69,15 @@ EdgeStore::Intersections EdgeStore::find_object_intersections(std::span<const Ed
                                 .world_from_object = scene_.world_from_object(id),
                                 .with_intersections = uses[id].with_intersections});
     if (std::none_of(line_objects.begin(), line_objects.end(), shows_intersections)) return found;
+    std::map<std::uint32_t, glm::vec3> places;  // one for each joint, so that pieces run on into each other
     for (const IntersectionLine& line : find_intersections(line_objects)) {
         const std::uint32_t owner = line.objects[shows_intersections(line_objects[line.objects[0]]) ? 0 : 1];
         const glm::dmat4 object_from_world = glm::inverse(line_objects[owner].world_from_object);
-        const auto in_object = [&](const glm::dvec3& p) {
-            return glm::vec3(glm::dvec3(object_from_world * glm::dvec4(p, 1.0)));
+        const auto place = [&](int end) {
+            const glm::vec3 p(glm::dvec3(object_from_world * glm::dvec4(line.ends_world[end], 1.0)));
+            return places.try_emplace(line.joints[end], p).first->second;
         };
-        found[owner].push_back({in_object(line.ends_world[0]), in_object(line.ends_world[1])});
+        found[owner].push_back({place(0), place(1)});
     }
     return found;
 }

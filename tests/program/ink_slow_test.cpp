@@ -8,6 +8,7 @@
 #include "gl/context.hpp"
 #include "measure/line_error.hpp"
 #include "program/run_program.hpp"
+#include "render/camera_view.hpp"
 #include "walk/stage.hpp"
 
 namespace hw::test {
