@@ -52,10 +52,21 @@ float hw_wave(float x)
     return 4.0 * t * (1.0 - abs(t));
 }
 
+// The hand in inverses of device pixels: x of a stroke's length, y of a gap, z by how much strokes are widened for their
+// tapers, which take away three gaps of each, so that tone stays what was asked.
+vec3 hw_inverse_hand(HwHand hand)
+{
+    float inverse_length = 1.0 / max(hand.length_px, 1e-6);
+    float inverse_scale = 1.0 / hw_px_scale;
+    return vec3(inverse_length * inverse_scale, inverse_scale / max(hand.gap_px, 1e-6),
+                1.0 + min(3.0 * hand.gap_px * inverse_length, 0.5));
+}
+
 // Ink of parallel strokes. `st`: across and along the strokes, on the surface, metres; st_dx and st_dy its derivatives in
-// the picture. `inverse_spacing`: of device pixels between two strokes; `width`: of a stroke, device pixels.
+// the picture. `inverse_spacing`: of device pixels between two strokes; `width`: of a stroke, device pixels; `inverse_hand`:
+// hw_inverse_hand().
 // Written in inverses: software renderers wait for every division.
-float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, float width, HwHand hand)
+float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, float width, HwHand hand, vec3 inverse_hand)
 {
     float px_per_m = hw_inverse_sqrt(clamp(st_dx.x * st_dx.x + st_dy.x * st_dy.x, 1e-24, 1e24));
     float thinning;
@@ -67,17 +78,16 @@ float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, floa
     if (hand.length_px > 0.0) {
         float px_per_m_along = hw_inverse_sqrt(clamp(st_dx.y * st_dx.y + st_dy.y * st_dy.y, 1e-24, 1e24));
         float end_thinning;
-        float inverse_piece = hw_inverse_octave(px_per_m_along / (hand.length_px * hw_px_scale), end_thinning);
+        float inverse_piece = hw_inverse_octave(px_per_m_along * inverse_hand.x, end_thinning);
         float random = hw_hash(line, 1u);
         float t = (st.y + 64.0 * random) * inverse_piece;
         float end_index = floor(t + 0.5);
         float piece_px = hw_inverse_of_power(inverse_piece) * px_per_m_along;
-        float to_end = abs(t - end_index) * piece_px / (hw_px_scale * hand.gap_px);
+        float to_end = abs(t - end_index) * piece_px * inverse_hand.y;
         float taper = clamp(to_end * 0.4 - 0.2, 0.0, 1.0);
         taper = fract(end_index * 0.5) > 0.25 ? mix(1.0, taper, end_thinning) : taper;
         float wave = mix(hw_wave(0.35 * t + random), hw_wave(0.7 * t + random), end_thinning);
-        // Tapers take away three gaps of each stroke; as width they are given back, so that tone stays what was asked.
-        width *= taper * (1.0 + min(3.0 * hand.gap_px / hand.length_px, 0.5)) * (1.0 + hand.pressure * wave);
+        width *= taper * inverse_hand.z * (1.0 + hand.pressure * wave);
         offset = hand.wobble_px * hw_px_scale * wave;
     }
     return hw_line_ink(width, abs((st.x - line) * px_per_m + offset));
@@ -87,7 +97,7 @@ float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, floa
 float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, HwHand hand)
 {
     float spacing = spacing_px * hw_px_scale;
-    return hw_stroke_ink(st, st_dx, st_dy, 1.0 / spacing, tone * spacing, hand);
+    return hw_stroke_ink(st, st_dx, st_dy, 1.0 / spacing, tone * spacing, hand, hw_inverse_hand(hand));
 }
 
 // The model's texture coordinates run downwards, made ones upwards.
@@ -136,6 +146,9 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
     float inverse_full = 1.0 / full;
     float spacing = h.spacing_px * hw_px_scale;
     float inverse_spacing = 1.0 / spacing;
+    vec3 inverse_hand = hw_inverse_hand(h.hand);
+    vec2 third = h.direction + h.cross_direction;
+    third *= hw_inverse_sqrt(max(dot(third, third), 1e-12));
     float wanted = 1.0 - clamp(tone, 0.0, 0.98);  // paper that stays, of what earlier directions left
     float paper = 1.0;
     vec2 direction = h.direction;
@@ -147,11 +160,11 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
         float width = spacing * max(min(full, part * widest), part);
         mat2 turn = hw_to_strokes(direction);
         paper *= 1.0 - hw_stroke_ink(turn * s.hatch_uv, turn * s.hatch_uv_dx, turn * s.hatch_uv_dy,
-                                     closeness * inverse_spacing, width, h.hand);
+                                     closeness * inverse_spacing, width, h.hand, inverse_hand);
         wanted /= 1.0 - part;
         ink = 1.0 - wanted;
         widest = 2.0;
-        direction = i == 0 ? h.cross_direction : normalize(h.direction + h.cross_direction);
+        direction = i == 0 ? h.cross_direction : third;
     }
     return 1.0 - paper;
 }
