@@ -59,7 +59,7 @@ enum class LinePath : unsigned char { automatic, native, quads };
 
 /// How far the depth that lines are tested against lies behind the faces, as a polygon offset.
 struct FaceOffset {
-    float factor = 1.0f;
+    float factor = 0.75f;
     float units = 4.0f;
 };
 
