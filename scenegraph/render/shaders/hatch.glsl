@@ -66,7 +66,8 @@ vec3 hw_inverse_hand(HwHand hand)
 // the picture. `inverse_spacing`: of device pixels between two strokes; `width`: of a stroke, device pixels; `inverse_hand`:
 // hw_inverse_hand().
 // Written in inverses: software renderers wait for every division.
-float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, float width, HwHand hand, vec3 inverse_hand)
+float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, float width, HwHand hand,
+                    vec3 inverse_hand)
 {
     float px_per_m = hw_inverse_sqrt(clamp(st_dx.x * st_dx.x + st_dy.x * st_dy.x, 1e-24, 1e24));
     float thinning;
