@@ -114,7 +114,8 @@ Parts split(const PlaneSet& planes, std::vector<BlockingPolygon> polygons, int p
 /// Builds a tree from the root down: structure splits first, then planes across what is long, then details.
 class TreeBuilder {
  public:
-    TreeBuilder(BspBuild& build, double most_part) : build_(build), most_part_(most_part) {}
+    /// Parts of two grid steps can be halved no further.
+    TreeBuilder(BspBuild& build, double most_part) : build_(build), most_part_(std::max(most_part, 2.0)) {}
 
     int build_structure(std::vector<BlockingPolygon> polygons, const ConvexCell& cell, int depth)
     {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <glm/common.hpp>
+#include <limits>
 #include <numeric>
 
 #include "world/clusters.hpp"
@@ -66,11 +68,15 @@ double average_visible_share(const Scene& scene, std::span<const MeshChunks> chu
     return sum / total / static_cast<double>(open_count);
 }
 
-/// Cells of even size, about as many as there may be.
+/// Cells of even size, about as many as there may be; of a flat scene they are flat. A scene without extent has one.
 double longest_cell_m(const Scene& scene, const VisibilityOptions& options)
 {
+    constexpr double kLeastSideShare = 1.0 / 64.0;
     const glm::dvec3 size = scene.bounds_world.is_empty() ? glm::dvec3(0.0) : scene.bounds_world.size();
-    return kPartFactor * std::cbrt(size.x * size.y * size.z / options.max_cells);
+    const double longest = std::max({size.x, size.y, size.z});
+    if (!(longest > 0.0)) return std::numeric_limits<double>::infinity();
+    const glm::dvec3 sides = glm::max(size, glm::dvec3(kLeastSideShare * longest));
+    return kPartFactor * std::cbrt(sides.x * sides.y * sides.z / options.max_cells);
 }
 
 BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOptions& options, VisibilityStats& stats)
