@@ -4,7 +4,8 @@ packages=(
     g++ cmake ninja-build pkg-config
     libglfw3-dev libegl-dev libegl1 libgl1-mesa-dri libgles2 libepoxy-dev
     libglm-dev libfmt-dev libspdlog-dev libcli11-dev
-    libflatbuffers-dev flatbuffers-compiler libtinygltf-dev nlohmann-json3-dev libpng-dev libcairo2-dev libjpeg62-turbo-dev zlib1g-dev
+    libtinygltf-dev nlohmann-json3-dev libflatbuffers-dev flatbuffers-compiler
+    libpng-dev libjpeg62-turbo-dev zlib1g-dev libcairo2-dev
     libopenmesh-dev libtbb-dev libembree-dev
     libgtest-dev libgmock-dev libgmp-dev
     xvfb xauth xdotool
