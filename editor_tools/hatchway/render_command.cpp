@@ -132,7 +132,8 @@ void render(const RenderArguments& arguments)
         const fs::path file = picture_file(arguments, i);
         write_png(file, stage.renderer().read_picture());
         frames.push(stats_json(stats).set("file", file.string()).set("time_s", shots[i].time_s));
-        std::cout << file.string() << '\n' << (arguments.has_stats ? stats_text(stats) : "");
+        if (!is_path(arguments) || arguments.has_stats) std::cout << file.string() << '\n';
+        if (arguments.has_stats) std::cout << stats_text(stats);
         progress.advance();
     }
     for (const std::string& message : stage.messages()) log_warning(message);
