@@ -1,11 +1,14 @@
 // bench_pvs FILE.prt [--leaves N] [-j THREADS]: our portal flow and a naive one on the same portals, in one run.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <iostream>
+#include <string_view>
 
 #include "bench/naive_flow.hpp"
+#include "core/error.hpp"
 #include "io/portal_file.hpp"
 
 namespace hw::bench {
@@ -88,21 +91,43 @@ void run(const std::filesystem::path& file, int wanted, int threads)
                              shown_only_by(ours.rows, naive, leaves));
 }
 
+/// Throws for anything but a whole number from 0.
+int count_from(std::string_view text)
+{
+    int result = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+    if (error != std::errc() || end != text.data() + text.size() || result < 0)
+        throw Error({.what = fmt::format("\"{}\" is no count", text), .expected = "a whole number from 0"});
+    return result;
+}
+
+void run_with(const std::vector<std::string_view>& arguments)
+{
+    std::filesystem::path file;
+    int leaves = 0, threads = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const bool has_value = i + 1 < arguments.size();
+        if (arguments[i] == "--leaves" && has_value)
+            leaves = count_from(arguments[++i]);
+        else if (arguments[i] == "-j" && has_value)
+            threads = count_from(arguments[++i]);
+        else if (file.empty() && !arguments[i].starts_with('-'))
+            file = arguments[i];
+        else
+            throw Error({.what = fmt::format("\"{}\" is not understood", arguments[i]),
+                         .expected = "bench_pvs FILE.prt [--leaves N] [-j THREADS]"});
+    }
+    if (file.empty()) throw Error({.what = "No file", .expected = "bench_pvs FILE.prt [--leaves N] [-j THREADS]"});
+    run(file, leaves, threads);
+}
+
 }  // namespace
 }  // namespace hw::bench
 
 int main(int count, char** arguments)
 {
-    CLI::App app("Our portal flow and a naive one on the same portals");
-    std::filesystem::path file;
-    int leaves = 0, threads = 0;
-    app.add_option("file", file, "A portal file, PRT1 or PRT2 text")->required();
-    app.add_option("--leaves", leaves, "Leaves that the naive flow does, an even sample; 0 for all")
-        ->check(CLI::NonNegativeNumber);
-    app.add_option("-j,--threads", threads, "Threads of ours; 0 for all")->check(CLI::NonNegativeNumber);
-    CLI11_PARSE(app, count, arguments);
     try {
-        hw::bench::run(file, leaves, threads);
+        hw::bench::run_with({arguments + 1, arguments + count});
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
         return 1;
