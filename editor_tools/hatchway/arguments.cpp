@@ -20,7 +20,9 @@ void add_level_arguments(CLI::App& command, LevelArguments& arguments)
     command.add_option("level", arguments.file, "A level file (.json) or a bare model (.glb, .gltf)")
         ->required()
         ->option_text("LEVEL|GLB");
-    command.add_option("--style", arguments.styles, "Draw the nodes of a path glob in a style: '*=pen_and_ink'; repeatable")
+    command
+        .add_option("--style", arguments.styles,
+                    "Draw the nodes of a path glob in a style: '*=pen_and_ink'; repeatable")
         ->option_text("GLOB=STYLE")
         ->allow_extra_args(false);
     add_plugin_dir_argument(command, arguments.plugin_dirs);
@@ -71,8 +73,9 @@ glm::ivec2 parse_size(const std::string& text)
     const auto [stop, height_status] = std::from_chars(has_sign ? sign + 1 : end, end, size.y);
     const auto is_side = [](int side) { return side >= 1 && side <= limits::kMaxImageSide; };
     if (!has_sign || height_status != std::errc() || stop != end || !is_side(size.x) || !is_side(size.y))
-        throw Error({.what = "--size " + text,
-                     .expected = "WxH, each from 1 to " + std::to_string(limits::kMaxImageSide) + ", such as 1280x720"});
+        throw Error(
+            {.what = "--size " + text,
+             .expected = "WxH, each from 1 to " + std::to_string(limits::kMaxImageSide) + ", such as 1280x720"});
     const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
     if (pixels > limits::kMaxImagePixels)
         throw Error({.what = fmt::format("--size {}: {} pixels", text, pixels),

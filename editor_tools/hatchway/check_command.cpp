@@ -50,12 +50,12 @@ void check(const CheckArguments& arguments)
     const std::vector<Leak> leaks = is_sealed ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
 
     const Scene& scene = stage.scene();
-    std::cout << fmt::format("{}: good: {} objects, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
-                             "paths; {} warnings\n",
-                             arguments.level.file.string(), scene.objects.size(), drawn_triangle_count(scene),
-                             scene.materials.size(), scene.lights.size() + stage.level().lights.size(),
-                             stage.level().styles.size(), stage.level().cameras.size() + scene.cameras.size(),
-                             stage.level().paths.size(), found.size() + leaks.size());
+    std::cout << fmt::format(
+        "{}: good: {} objects, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
+        "paths; {} warnings\n",
+        arguments.level.file.string(), scene.objects.size(), drawn_triangle_count(scene), scene.materials.size(),
+        scene.lights.size() + stage.level().lights.size(), stage.level().styles.size(),
+        stage.level().cameras.size() + scene.cameras.size(), stage.level().paths.size(), found.size() + leaks.size());
     if (arguments.json.empty()) return;
     JsonValue warnings = JsonValue::array();
     for (const std::string& doubt : found) warnings.push(doubt);

@@ -6,8 +6,8 @@ class App;
 
 namespace hw {
 
-// The subcommands. Each stands in its own file and runs when the command line has been read. It throws hw::Error for bad
-// input and then has written nothing.
+// The subcommands. Each stands in its own file and runs when the command line has been read. It throws hw::Error for
+// bad input and then has written nothing.
 
 void add_walk_command(CLI::App& app);
 void add_render_command(CLI::App& app);

@@ -30,8 +30,7 @@ void export_model_edges(const ExportArguments& arguments)
     const EdgeExport counts = export_edges(level.scene_file, level.project_root, arguments.out,
                                            static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0));
     std::cout << fmt::format("{} primitives: {} edges drawn, {} may be silhouettes; {} primitives skipped\n",
-                             counts.primitives, counts.drawn_edges, counts.silhouette_edges,
-                             counts.skipped_primitives);
+                             counts.primitives, counts.drawn_edges, counts.silhouette_edges, counts.skipped_primitives);
 }
 
 }  // namespace

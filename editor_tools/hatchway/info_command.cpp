@@ -72,7 +72,8 @@ JsonValue info_json(const LevelWorld& world, const MeshTotals& totals)
     json.set("stitched_edges", report.stitched_edges).set("complex_edges", report.complex_edges);
     json.set("artist_edges", report.artist_edges).set("inconsistent_edges", report.inconsistent_edges);
     json.set("flips_repaired", report.flipped_faces);
-    json.set("bytes_per_edge", totals.edges ? static_cast<double>(totals.edge_bytes) / static_cast<double>(totals.edges) : 0.0);
+    json.set("bytes_per_edge",
+             totals.edges ? static_cast<double>(totals.edge_bytes) / static_cast<double>(totals.edges) : 0.0);
     json.set("structure_polygons", visibility.structure_polygons);
     json.set("leaves", visibility.leaves).set("portals", visibility.portals);
     json.set("coarse_portals", visibility.coarse_portals);
@@ -90,12 +91,12 @@ void print_info(const LevelWorld& world, const MeshTotals& totals)
         "faces       {} removed, {} collinear, {} flips repaired\n"
         "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
         "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} inconsistent; {:.1f} bytes each\n"
-        "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; {:.2f} s\n",
+        "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; "
+        "{:.2f} s\n",
         world.scene.objects.size(), world.scene.meshes.size(), report.triangles_in, drawn_triangle_count(world.scene),
-        report.removed_faces, report.collinear_faces, report.flipped_faces, report.components,
-        report.closed_components, report.inward_components, report.reflex_rule_components, totals.edges,
-        report.border_edges, report.complex_edges, report.artist_edges, report.stitched_edges,
-        report.inconsistent_edges,
+        report.removed_faces, report.collinear_faces, report.flipped_faces, report.components, report.closed_components,
+        report.inward_components, report.reflex_rule_components, totals.edges, report.border_edges,
+        report.complex_edges, report.artist_edges, report.stitched_edges, report.inconsistent_edges,
         totals.edges ? static_cast<double>(totals.edge_bytes) / static_cast<double>(totals.edges) : 0.0,
         visibility.leaves, visibility.portals, visibility.coarse_portals, visibility.structure_polygons,
         100.0 * visibility.average_visible_share, visibility.seconds);
@@ -111,7 +112,8 @@ void print_nodes(const Scene& scene)
     }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         if (!materials[i].empty())
-            std::cout << fmt::format("node        #{:<5} {:<40} {}\n", i, scene.nodes[i].path, fmt::join(materials[i], ", "));
+            std::cout << fmt::format("node        #{:<5} {:<40} {}\n", i, scene.nodes[i].path,
+                                     fmt::join(materials[i], ", "));
 }
 
 void info(const InfoArguments& arguments)
@@ -122,8 +124,7 @@ void info(const InfoArguments& arguments)
     const Level level = read_level_with(arguments.file, {});
     if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
     const CompiledCache cache{arguments.cache};
-    const auto world =
-        open_world(level, &visibility, BakedLight::unwanted, arguments.cache.empty() ? nullptr : &cache);
+    const auto world = open_world(level, &visibility, BakedLight::unwanted, arguments.cache.empty() ? nullptr : &cache);
     require_unread(outputs);
     const MeshTotals totals = totals_of(scene_surfaces(world->scene));
     const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
@@ -141,11 +142,14 @@ void info(const InfoArguments& arguments)
 void add_info_command(CLI::App& app)
 {
     auto arguments = std::make_shared<InfoArguments>();
-    CLI::App* command = app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
+    CLI::App* command =
+        app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
     command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
     command->add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
-    command->add_option("--hatch", arguments->hatch,
-                        "What strokes follow: model (a box for meshes without texture coordinates), box, cylinder, principal")
+    command
+        ->add_option(
+            "--hatch", arguments->hatch,
+            "What strokes follow: model (a box for meshes without texture coordinates), box, cylinder, principal")
         ->check(one_of({"model", "box", "cylinder", "principal"}));
     add_cache_argument(*command, arguments->cache);
     add_json_argument(*command, arguments->json);

@@ -12,7 +12,7 @@ namespace {
 constexpr float kPaperCreaseRad = 0.6981317f;  // 40 degrees
 constexpr double kHiddenWidth = 0.6;           // of a hidden line, and its opacity: it stays behind what is seen
 constexpr double kHiddenOpacity = 0.5;
-constexpr double kThinnestPx = 0.05;           // what is thinner is gone
+constexpr double kThinnestPx = 0.05;  // what is thinner is gone
 
 /// Mean length of the lines that an object draws from every viewpoint, object space.
 double mean_line_length(const LineObject& object)
@@ -174,8 +174,7 @@ VectorDrawing LevelLines::drawing(const std::vector<VisibleLine>& lines, const L
         while (end < lines.size() && lines[end].object == first.object && lines[end].line_class == first.line_class &&
                lines[end].is_visible == first.is_visible)
             ++end;
-        if (begin == 0 || lines[begin - 1].object != first.object)
-            drawing.objects.push_back({name(first.object), {}});
+        if (begin == 0 || lines[begin - 1].object != first.object) drawing.objects.push_back({name(first.object), {}});
         append_groups(drawing.objects.back(), lines, begin, end, camera);
         begin = end;
     }

@@ -10,8 +10,8 @@
 
 namespace hw {
 
-/// The objects of a scene made ready for find_visible_lines(): surfaces, seams, and how each is drawn. Built once, good for
-/// every camera.
+/// The objects of a scene made ready for find_visible_lines(): surfaces, seams, and how each is drawn. Built once, good
+/// for every camera.
 class LevelLines {
  public:
     /// `inks`: one for each object; none: all objects are drawn with one pen, of paper whose two sides both hide.
@@ -25,8 +25,8 @@ class LevelLines {
     const std::vector<IntersectionLine>& intersections();
     const std::string& name(std::uint32_t object) const;
 
-    /// The lines with the widths and colours of the objects' styles: those thinned away by distance or presence are left
-    /// out.
+    /// The lines with the widths and colours of the objects' styles: those thinned away by distance or presence are
+    /// left out.
     VectorDrawing drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera) const;
 
  private:
@@ -40,7 +40,7 @@ class LevelLines {
     std::vector<Surface> surfaces_;
     std::vector<LineObject> objects_;
     std::vector<std::vector<ObjectLineLook>> pens_;
-    std::vector<Seams> seams_;          ///< Of the objects whose styles draw edges.
+    std::vector<Seams> seams_;  ///< Of the objects whose styles draw edges.
     std::optional<std::vector<IntersectionLine>> intersections_;
     std::vector<float> mean_length_m_;  ///< Of an object's lines, world space: what the far policy goes by.
 };

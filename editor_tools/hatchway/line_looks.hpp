@@ -24,8 +24,8 @@ struct ObjectInk {
     std::vector<ObjectLineLook> looks;
 };
 
-/// Asks the styles of a level how they draw the lines of each object. They are prepared as for drawing, but no device is
-/// needed: shaders are not compiled. Throws hw::Error for a wrong style.
+/// Asks the styles of a level how they draw the lines of each object. They are prepared as for drawing, but no device
+/// is needed: shaders are not compiled. Throws hw::Error for a wrong style.
 std::vector<ObjectInk> object_inks(const Level& level, const Scene& scene, const PluginRegistry& registry,
                                    const View& view);
 

@@ -160,12 +160,15 @@ void add_lines_command(CLI::App& app)
     command->add_option("--hidden", arguments->hidden, "Hidden lines: none, or dashed")
         ->option_text("HOW")
         ->check(one_of({"dashed", "none"}));
-    command->add_option("--mode", arguments->mode, "contour: silhouettes and borders; contour+crease; or all, also the "
-                                                   "artist's edges and where objects cut each other")
+    command
+        ->add_option("--mode", arguments->mode,
+                     "contour: silhouettes and borders; contour+crease; or all, also the "
+                     "artist's edges and where objects cut each other")
         ->option_text("LINES")
         ->check(one_of({"contour", "contour+crease", "all"}));
-    command->add_option("--crease-deg", arguments->crease_deg,
-                        "Edges folded by more are creases; as the styles say, 40 for a bare model")
+    command
+        ->add_option("--crease-deg", arguments->crease_deg,
+                     "Edges folded by more are creases; as the styles say, 40 for a bare model")
         ->option_text("F")
         ->check(number_in(0.1, 180.0));
     command->add_option("--style", arguments->styles, "Style nodes, such as '*=pen_and_ink'; as often as wanted")

@@ -18,8 +18,10 @@ void add_general_options(CLI::App& app)
     app.set_version_flag("--version", "hatchway " HATCHWAY_VERSION);
     app.require_subcommand(1);
     app.fallthrough();
-    app.add_flag_callback("--quiet", [] { hw::set_log_level(hw::LogLevel::error); }, "Log errors only");
-    app.add_flag_callback("--verbose", [] { hw::set_log_level(hw::LogLevel::debug); }, "Log details, too");
+    app.add_flag_callback(
+        "--quiet", [] { hw::set_log_level(hw::LogLevel::error); }, "Log errors only");
+    app.add_flag_callback(
+        "--verbose", [] { hw::set_log_level(hw::LogLevel::debug); }, "Log details, too");
     app.footer("Exit codes: 0 done, 1 our fault, 2 bad usage or bad input.");
 }
 

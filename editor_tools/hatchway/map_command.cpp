@@ -36,7 +36,10 @@ struct MapArguments {
     bool has_priorities = false;
 };
 
-fs::path level_file(const fs::path& folder, std::size_t level) { return folder / fmt::format("level_{}.png", level); }
+fs::path level_file(const fs::path& folder, std::size_t level)
+{
+    return folder / fmt::format("level_{}.png", level);
+}
 
 void check_outputs(const MapArguments& arguments)
 {
@@ -110,11 +113,13 @@ MapLevels ink_map_of(MapArguments& arguments)
 {
     Drawing drawing = read_drawing(arguments.drawing);
     if (!drawing.has_priorities) rank_evenly(drawing.strokes);
-    arguments.ink.height_texels = power_of_two(static_cast<int>(arguments.ink.width_texels * drawing.height_share * 1.4));
+    arguments.ink.height_texels =
+        power_of_two(static_cast<int>(arguments.ink.width_texels * drawing.height_share * 1.4));
     const InkMap ink = make_ink_map(drawing.strokes, arguments.ink);
-    const MapLevels map = arguments.filter == "minimum" ? filtered_by_minimum(ink.map.levels.front(), arguments.ink.size_m)
-                          : arguments.filter == "box"   ? filtered_by_mean(ink.map.levels.front(), arguments.ink.size_m)
-                                                        : ink.map;
+    const MapLevels map = arguments.filter == "minimum"
+                              ? filtered_by_minimum(ink.map.levels.front(), arguments.ink.size_m)
+                          : arguments.filter == "box" ? filtered_by_mean(ink.map.levels.front(), arguments.ink.size_m)
+                                                      : ink.map;
     if (arguments.filter != "none") return map;
     for (std::size_t i = 0; i < ink.stroke_counts.size(); ++i)
         fmt::print("level {}: {} of {} strokes\n", i, ink.stroke_counts[i], drawing.strokes.size());
@@ -130,8 +135,10 @@ void make_map(const MapArguments& arguments, const std::function<MapLevels()>& d
 CLI::App* add_kind(CLI::App& map, const std::string& name, const std::string& help, MapArguments& arguments)
 {
     CLI::App* kind = map.add_subcommand(name, help);
-    kind->add_option("--out", arguments.folder, "Folder of the map: level_0.png, level_1.png, ... and map.json")->required();
-    kind->add_option("--preview", arguments.preview, "PNG that shows all levels, and a plane in perspective that the map covers");
+    kind->add_option("--out", arguments.folder, "Folder of the map: level_0.png, level_1.png, ... and map.json")
+        ->required();
+    kind->add_option("--preview", arguments.preview,
+                     "PNG that shows all levels, and a plane in perspective that the map covers");
     return kind;
 }
 
@@ -146,7 +153,8 @@ void add_map_command(CLI::App& app)
     CLI::App* hatch = add_kind(*map, "hatch", "Parallel lines, equally far apart at every level", *arguments);
     hatch->add_option("--width", arguments->hatch.width_texels, "Texels of the finest level, a power of two")
         ->check(one_of({"64", "128", "256", "512", "1024", "2048", "4096"}));
-    hatch->add_option("--spacing", arguments->hatch.spacing_texels, "Texels between lines")->check(one_of({"4", "8", "16", "32"}));
+    hatch->add_option("--spacing", arguments->hatch.spacing_texels, "Texels between lines")
+        ->check(one_of({"4", "8", "16", "32"}));
     hatch->add_option("--line", arguments->hatch.line_texels, "Width of a line, texels")->check(number_in(0.2, 4.0));
     hatch->callback([arguments] { make_map(*arguments, [&] { return make_hatch_map(arguments->hatch); }); });
 
@@ -157,8 +165,10 @@ void add_map_command(CLI::App& app)
     ink->add_option("--width", arguments->ink.width_texels, "Texels of the finest level")
         ->check(one_of({"64", "128", "256", "512", "1024", "2048"}));
     ink->add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
-    ink->add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface")->check(number_in(0.001, 1000.0));
-    ink->add_option("--filter", arguments->filter, "none: strokes are inked anew at every level; for comparison: minimum, box")
+    ink->add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface")
+        ->check(number_in(0.001, 1000.0));
+    ink->add_option("--filter", arguments->filter,
+                    "none: strokes are inked anew at every level; for comparison: minimum, box")
         ->check(one_of({"none", "minimum", "box"}));
     ink->callback([arguments] { make_map(*arguments, [&] { return ink_map_of(*arguments); }); });
 
@@ -166,16 +176,22 @@ void add_map_command(CLI::App& app)
     TonalMapDesc& desc = arguments->tonal;
     tonal->add_option("--width", desc.size_texels, "Texels of one tone")->check(one_of({"64", "128", "256", "512"}));
     tonal->add_option("--tones", desc.tones, "How many tones")->check(whole_number_in(2, 32));
-    tonal->add_flag("--priority", arguments->has_priorities, "One map of the tone at which each texel turns to ink: for halftone");
+    tonal->add_flag("--priority", arguments->has_priorities,
+                    "One map of the tone at which each texel turns to ink: for halftone");
     tonal->add_option("--pen", desc.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
-    tonal->add_option("--length", desc.length_share, "Length of strokes, of the map's width")->check(number_in(0.05, 1.0));
-    tonal->add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray")->check(number_in(0.0, 45.0));
-    tonal->add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes")->check(number_in(0.0, 90.0));
+    tonal->add_option("--length", desc.length_share, "Length of strokes, of the map's width")
+        ->check(number_in(0.05, 1.0));
+    tonal->add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray")
+        ->check(number_in(0.0, 45.0));
+    tonal->add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes")
+        ->check(number_in(0.0, 90.0));
     tonal->add_option("--size-m", desc.size_m, "Width of one tone on a surface")->check(number_in(0.001, 1000.0));
     tonal->add_option("--seed", desc.seed, "Of all that is random")->check(whole_number_in(0, UINT32_MAX));
-    tonal->callback([arguments] { make_map(*arguments, [&] {
+    tonal->callback([arguments] {
+        make_map(*arguments, [&] {
             return arguments->has_priorities ? make_priority_map(arguments->tonal) : make_tonal_map(arguments->tonal);
-        }); });
+        });
+    });
 }
 
 }  // namespace hw

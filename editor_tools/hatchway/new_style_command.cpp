@@ -23,19 +23,19 @@ constexpr std::size_t kLongestName = 64;
 
 /// The words of C++20 that a style's name could be: they make no names in its source.
 constexpr std::string_view kKeywords[] = {
-    "alignas",       "alignof",    "and",           "and_eq",     "asm",        "auto",         "bitand",
-    "bitor",         "bool",       "break",         "case",       "catch",      "char",         "char16_t",
-    "char32_t",      "char8_t",    "class",         "co_await",   "co_return",  "co_yield",     "compl",
-    "concept",       "const",      "const_cast",    "consteval",  "constexpr",  "constinit",    "continue",
-    "decltype",      "default",    "delete",        "do",         "double",     "dynamic_cast", "else",
-    "enum",          "explicit",   "export",        "extern",     "false",      "float",        "for",
-    "friend",        "goto",       "if",            "inline",     "int",        "long",         "mutable",
-    "namespace",     "new",        "noexcept",      "not",        "not_eq",     "nullptr",      "operator",
-    "or",            "or_eq",      "private",       "protected",  "public",     "register",     "reinterpret_cast",
-    "requires",      "return",     "short",         "signed",     "sizeof",     "static",       "static_assert",
-    "static_cast",   "struct",     "switch",        "template",   "this",       "thread_local", "throw",
-    "true",          "try",        "typedef",       "typeid",     "typename",   "union",        "unsigned",
-    "using",         "virtual",    "void",          "volatile",   "wchar_t",    "while",        "xor",
+    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
     "xor_eq"};
 
 /// What the writer of the files does not know: names that work as files and fail later.
@@ -44,8 +44,7 @@ void refuse_taken_name(const std::string& name)
     const auto refuse = [&](const std::string& why, const std::string& expected) {
         return Error({.what = fmt::format("the style's name \"{}\" {}", name, why), .expected = expected});
     };
-    if (name.size() > kLongestName)
-        throw refuse("is too long", fmt::format("at most {} characters", kLongestName));
+    if (name.size() > kLongestName) throw refuse("is too long", fmt::format("at most {} characters", kLongestName));
     if (std::find(std::begin(kKeywords), std::end(kKeywords), name) != std::end(kKeywords))
         throw refuse("is a word of C++", "another name");
     const PluginRegistry installed;

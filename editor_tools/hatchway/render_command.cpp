@@ -38,7 +38,10 @@ struct RenderArguments {
 const std::map<std::string, LinePath> kLinePaths{
     {"automatic", LinePath::automatic}, {"native", LinePath::native}, {"quads", LinePath::quads}};
 
-bool is_path(const RenderArguments& arguments) { return !arguments.shots.path.empty(); }
+bool is_path(const RenderArguments& arguments)
+{
+    return !arguments.shots.path.empty();
+}
 
 fs::path picture_file(const RenderArguments& arguments, std::size_t index)
 {
@@ -160,7 +163,8 @@ void add_render_command(CLI::App& app)
     command->add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
         ->option_text("WAY")
         ->check(one_of({"automatic", "native", "quads"}));
-    command->add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
+    command
+        ->add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
         ->option_text("K/N");
     command->add_flag("--stats", arguments->has_stats, "Print what each frame did");
     add_json_argument(*command, arguments->json);

@@ -11,7 +11,8 @@ std::vector<Surface> scene_surfaces(const Scene& scene)
     }
     std::vector<Surface> surfaces;
     surfaces.reserve(scene.meshes.size());
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) surfaces.push_back(build_surface(scene.meshes[i], options[i]));
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+        surfaces.push_back(build_surface(scene.meshes[i], options[i]));
     return surfaces;
 }
 

@@ -45,7 +45,8 @@ void write_schema(const SchemaArguments& arguments)
 void add_schema_command(CLI::App& app)
 {
     auto arguments = std::make_shared<SchemaArguments>();
-    CLI::App* command = app.add_subcommand("schema", "Writes the JSON schema of level files, with all styles' parameters");
+    CLI::App* command =
+        app.add_subcommand("schema", "Writes the JSON schema of level files, with all styles' parameters");
     add_plugin_dir_argument(*command, arguments->plugin_dirs);
     command->add_option("--out", arguments->out, "The file to write; else it goes to the standard output")
         ->option_text("FILE");

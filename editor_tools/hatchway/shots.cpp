@@ -17,7 +17,10 @@ namespace {
 
 constexpr double kDefaultFovDeg = 60.0;
 
-CameraPlace place_of(const Camera& camera) { return {camera.eye_world, camera.target_world, camera.fov_deg}; }
+CameraPlace place_of(const Camera& camera)
+{
+    return {camera.eye_world, camera.target_world, camera.fov_deg};
+}
 
 CameraPlace named_camera(const std::string& name, const Level& level, const Scene& scene)
 {
@@ -104,7 +107,8 @@ std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, c
     if (!arguments.camera.empty())
         shot.camera = named_camera(arguments.camera, level, scene);
     else if (!arguments.eye.empty())
-        shot.camera = {parse_vector(arguments.eye, "--eye"), parse_vector(arguments.target, "--target"), kDefaultFovDeg};
+        shot.camera = {parse_vector(arguments.eye, "--eye"), parse_vector(arguments.target, "--target"),
+                       kDefaultFovDeg};
     else
         shot.camera = whole_scene_camera(scene, aspect);
     if (arguments.fov_deg) shot.camera.fov_deg = *arguments.fov_deg;

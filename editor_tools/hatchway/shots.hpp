@@ -39,8 +39,8 @@ void add_shot_arguments(CLI::App& command, ShotArguments& arguments);
 /// Checks what can be checked before a level is opened. Throws hw::Error.
 void check_shot_arguments(const ShotArguments& arguments);
 
-/// The pictures to make: of the camera, the eye and target, or the path that the arguments name; else of one camera that
-/// sees the whole scene. Throws hw::Error that lists the cameras or paths that exist.
+/// The pictures to make: of the camera, the eye and target, or the path that the arguments name; else of one camera
+/// that sees the whole scene. Throws hw::Error that lists the cameras or paths that exist.
 std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, const Scene& scene, double aspect);
 
 }  // namespace hw

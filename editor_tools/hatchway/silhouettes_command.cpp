@@ -128,10 +128,11 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     if (!arguments.json.empty()) write_json(arguments.json, result_json(result));
     if (!arguments.dump_mesh.empty())
         write_json(arguments.dump_mesh, JsonValue::object().set("objects", std::move(meshes)));
-    std::cout << fmt::format("{} faces, {} edges: {} creases, {} candidates, {} silent, {} borders; {} silhouettes, {} "
-                             "drawn contours\n",
-                             result.faces, result.edges, result.creases, result.candidates, result.silent,
-                             result.borders, result.silhouette_count, result.drawn_count);
+    std::cout << fmt::format(
+        "{} faces, {} edges: {} creases, {} candidates, {} silent, {} borders; {} silhouettes, {} "
+        "drawn contours\n",
+        result.faces, result.edges, result.creases, result.candidates, result.silent, result.borders,
+        result.silhouette_count, result.drawn_count);
 }
 
 }  // namespace
@@ -142,7 +143,8 @@ void add_silhouettes_command(CLI::App& app)
     CLI::App* command = app.add_subcommand("silhouettes", "Finds the silhouette edges of a model as seen from an eye");
     command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
     command->add_option("--eye", arguments->eye, "The eye, world space, metres")->required()->option_text("X,Y,Z");
-    command->add_option("--crease-deg", arguments->crease_deg, "Edges folded by more are creases; 40")->option_text("F");
+    command->add_option("--crease-deg", arguments->crease_deg, "Edges folded by more are creases; 40")
+        ->option_text("F");
     command->add_option("--dump-mesh", arguments->dump_mesh, "Write welded positions, faces and eye of each object")
         ->option_text("FILE.json");
     add_json_argument(*command, arguments->json);

@@ -268,8 +268,7 @@ void WalkSession::draw()
 
     const double before_s = now_s();
     const View now = view(size, content_scale * quality.render_scale);
-    stats_ = stage_->draw(now,
-                          {.samples = quality.samples, .use_pvs = !options_.level.without_pvs, .is_timed = true});
+    stats_ = stage_->draw(now, {.samples = quality.samples, .use_pvs = !options_.level.without_pvs, .is_timed = true});
     const WalkFacts shown = facts(quality, aimed_object(), window_size.x / content_scale);
     Overlay overlay = walk_overlay(shown);
     overlay.lines = shown_lines(stage_->world(), options_.show, leaks_, now, window_size / content_scale);

@@ -1,5 +1,5 @@
-// Every wanted line is walked in steps of half a pixel. A width is measured as the ink on the cross-section there, where
-// an ideal drawing of all wanted lines says that no other line comes near.
+// Every wanted line is walked in steps of half a pixel. A width is measured as the ink on the cross-section there,
+// where an ideal drawing of all wanted lines says that no other line comes near.
 #include "measure/line_error.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace hw {
 namespace {
 
 constexpr double kStepPx = 0.5;
-constexpr float kLeastInk = 0.1f;      // less is paper
+constexpr float kLeastInk = 0.1f;  // less is paper
 constexpr double kMissedReachPx = 1.0;
 constexpr double kLeakReachPx = 1.0;   // beyond half the width
 constexpr double kCrossReachPx = 1.5;  // beyond half the width: what is counted as this line's own ink
@@ -36,7 +36,8 @@ double distance_to(const Segment& s, const glm::dvec2& p)
 void for_each_pixel(const Segment& s, double reach, const InkImage& image, const std::function<void(int, int)>& use)
 {
     const glm::dvec2 low = glm::min(s.from, s.to) - reach, high = glm::max(s.from, s.to) + reach;
-    const int x0 = std::max(0, static_cast<int>(std::floor(low.x))), y0 = std::max(0, static_cast<int>(std::floor(low.y)));
+    const int x0 = std::max(0, static_cast<int>(std::floor(low.x))),
+              y0 = std::max(0, static_cast<int>(std::floor(low.y)));
     const int x1 = std::min(image.width - 1, static_cast<int>(high.x));
     const int y1 = std::min(image.height - 1, static_cast<int>(high.y));
     for (int y = y0; y <= y1; ++y)
@@ -159,7 +160,8 @@ class Judge {
 
     void show_missed(const glm::dvec2& p)
     {
-        if (shown_ != nullptr) (*shown_)[static_cast<std::size_t>(p.y) * drawing_.width + static_cast<std::size_t>(p.x)] = 2;
+        if (shown_ != nullptr)
+            (*shown_)[static_cast<std::size_t>(p.y) * drawing_.width + static_cast<std::size_t>(p.x)] = 2;
     }
 
     void measure_width(const WantedLine& line, const glm::dvec2& p, const glm::dvec2& along)
@@ -204,7 +206,8 @@ InkImage ink_of(const Pixels& picture)
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const std::uint8_t* rgb = picture.at(x, y);
-            image.ink.push_back(1.0f - (0.2126f * linear[rgb[0]] + 0.7152f * linear[rgb[1]] + 0.0722f * linear[rgb[2]]));
+            image.ink.push_back(1.0f -
+                                (0.2126f * linear[rgb[0]] + 0.7152f * linear[rgb[1]] + 0.0722f * linear[rgb[2]]));
         }
     return image;
 }
@@ -235,7 +238,8 @@ void LineError::add(const LineError& other)
     width_ratios.insert(width_ratios.end(), other.width_ratios.begin(), other.width_ratios.end());
 }
 
-LineError line_error(const InkImage& drawing, std::span<const WantedLine> wanted, std::vector<unsigned char>* pixels_to_show)
+LineError line_error(const InkImage& drawing, std::span<const WantedLine> wanted,
+                     std::vector<unsigned char>* pixels_to_show)
 {
     return Judge(drawing, wanted, pixels_to_show).run();
 }

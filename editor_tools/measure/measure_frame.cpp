@@ -184,7 +184,8 @@ void add_measure_frame(CLI::App& measure)
     CLI::App* command =
         measure.add_subcommand("frame", "Milliseconds per phase along a path: styles, 1 and 4 samples, PVS on and off");
     add_level_arguments(*command, arguments->level);
-    command->add_option("--path", arguments->path, "A camera path of the level, or turntable; tour")->option_text("NAME");
+    command->add_option("--path", arguments->path, "A camera path of the level, or turntable; tour")
+        ->option_text("NAME");
     command->add_option("--frames", arguments->frames, "Frames for each row, spread evenly; 50")
         ->option_text("N")
         ->check(whole_number_in(1, 100'000));

@@ -8,8 +8,8 @@
 #include <iostream>
 
 #include "core/progress.hpp"
-#include "gl/context.hpp"
 #include "geometry/intersections.hpp"
+#include "gl/context.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/level_lines.hpp"
 #include "hatchway/option_rules.hpp"
@@ -27,8 +27,8 @@
 namespace hw {
 namespace {
 
-constexpr double kCreaseDeg = 40.0;       // of the style pen_and_ink
-constexpr double kCreaseWidthPx = 1.2;    // and its widths
+constexpr double kCreaseDeg = 40.0;     // of the style pen_and_ink
+constexpr double kCreaseWidthPx = 1.2;  // and its widths
 constexpr double kContourWidthPx = 1.9;
 
 struct LinesMeasureArguments {
@@ -90,7 +90,10 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& rende
 /// The same for the exact drawing.
 std::vector<ObjectInk> all_inked(const Scene& scene)
 {
-    const ObjectInk ink{.is_used = true, .crease_rad = static_cast<float>(glm::radians(kCreaseDeg)), .has_intersections = true, .looks = {{}}};
+    const ObjectInk ink{.is_used = true,
+                        .crease_rad = static_cast<float>(glm::radians(kCreaseDeg)),
+                        .has_intersections = true,
+                        .looks = {{}}};
     return std::vector<ObjectInk>(scene.objects.size(), ink);
 }
 
@@ -137,7 +140,8 @@ class MeasuredScene {
                                      .target_world = camera.target_world,
                                      .fov_rad = glm::radians(camera.fov_deg),
                                      .size_px = size};
-        const std::vector<VisibleLine> lines = find_visible_lines(exact_.objects(), line_camera, {.intersections = cuts_});
+        const std::vector<VisibleLine> lines =
+            find_visible_lines(exact_.objects(), line_camera, {.intersections = cuts_});
         seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::vector<WantedLine> wanted;
         for (const VisibleLine& line : lines) {
@@ -206,7 +210,8 @@ JsonValue row_json(const Row& row)
 std::string row_text(const Row& row)
 {
     return fmt::format(
-        "{:<24} {:<8} {} sample{} offset {:>4} {:>3}  missed {:6.3f} %  leaked {:6.3f} %  gaps {:6.3f} / 1000 px  width {:.3f} "
+        "{:<24} {:<8} {} sample{} offset {:>4} {:>3}  missed {:6.3f} %  leaked {:6.3f} %  gaps {:6.3f} / 1000 px  "
+        "width {:.3f} "
         "(p5 {:.3f})  ink {:.2f} %  exact {:.1f} ms\n",
         row.model, name_of(row.variant.path), row.variant.samples, row.variant.samples == 1 ? " " : "s",
         row.variant.offset.factor, row.variant.offset.units, 100.0 * row.error.missed_share(),
@@ -231,9 +236,10 @@ std::vector<Row> measure_scene(const LinesMeasureArguments& arguments, const std
             rows[i].error.add(line_error(drawing, wanted, &judged));
             rows[i].ink += ink_share(drawing) / static_cast<double>(cameras.size());
             if (arguments.pictures.empty()) continue;
-            write_judged(arguments.pictures / fmt::format("{}_{}_{}_{}_view{}.png", rows[i].model, name_of(rows[i].variant.path),
-                                                          rows[i].variant.samples, rows[i].variant.offset.factor, view),
-                         drawing, judged);
+            write_judged(
+                arguments.pictures / fmt::format("{}_{}_{}_{}_view{}.png", rows[i].model, name_of(rows[i].variant.path),
+                                                 rows[i].variant.samples, rows[i].variant.offset.factor, view),
+                drawing, judged);
         }
     }
     for (Row& row : rows) {
@@ -261,10 +267,11 @@ void measure_lines(const LinesMeasureArguments& arguments)
         }
         progress.advance();
     }
-    if (!arguments.json.empty()) write_json(arguments.json, JsonValue::object()
-                                                                .set("size", arguments.size)
-                                                                .set("device", context->device().renderer)
-                                                                .set("rows", std::move(rows)));
+    if (!arguments.json.empty())
+        write_json(arguments.json, JsonValue::object()
+                                       .set("size", arguments.size)
+                                       .set("device", context->device().renderer)
+                                       .set("rows", std::move(rows)));
 }
 
 }  // namespace

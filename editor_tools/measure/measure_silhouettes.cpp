@@ -10,10 +10,10 @@
 #include <random>
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "core/progress.hpp"
 #include "geometry/half_edge_mesh.hpp"
 #include "geometry/silhouettes.hpp"
-#include "core/limits.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/option_rules.hpp"
 #include "hatchway/output_files.hpp"

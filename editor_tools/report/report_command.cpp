@@ -1,5 +1,5 @@
-// Runs the measurements one after the other, keeps what they write as JSON, and makes one page of it. A measurement that
-// fails leaves its reason on the page and the others run on.
+// Runs the measurements one after the other, keeps what they write as JSON, and makes one page of it. A measurement
+// that fails leaves its reason on the page and the others run on.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -82,7 +82,8 @@ void write_report(const ReportArguments& arguments)
 {
     std::error_code missing;
     if (!fs::is_directory(arguments.out, missing))
-        throw Error({.what = "is no folder", .file = arguments.out.string(), .expected = "an existing folder for --out"});
+        throw Error(
+            {.what = "is no folder", .file = arguments.out.string(), .expected = "an existing folder for --out"});
     const std::vector<ReportSection> plan = report_plan(installation_prefix() / "share" / "hatchway", arguments.data);
     refuse_unknown_sections(arguments.only, plan);
     std::vector<MeasuredSection> sections;

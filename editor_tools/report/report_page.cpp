@@ -78,12 +78,14 @@ Plot plot_of(const PlotRecipe& recipe, const JsonTable& table)
 
 std::string report_page(const ReportOrigin& origin, const std::vector<MeasuredSection>& sections)
 {
-    std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Hatchway: measured</title>";
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Hatchway: measured</title>";
     html += fmt::format("<style>{}</style></head>\n<body>\n<h1>Hatchway: time against error</h1>\n", kStyleSheet);
-    html += fmt::format("<p>Hatchway {} ({}), {}, {} threads, {}. Every row holds a time and the error of the same run "
-                        "against a reference that shares no source file with the code.</p>\n",
-                        escaped(origin.version), escaped(origin.commit), escaped(origin.processor), origin.threads,
-                        escaped(origin.date));
+    html += fmt::format(
+        "<p>Hatchway {} ({}), {}, {} threads, {}. Every row holds a time and the error of the same run "
+        "against a reference that shares no source file with the code.</p>\n",
+        escaped(origin.version), escaped(origin.commit), escaped(origin.processor), origin.threads,
+        escaped(origin.date));
     for (const MeasuredSection& section : sections) html += section_html(section);
     return html + "</body></html>\n";
 }

@@ -11,7 +11,7 @@ struct PlotRecipe {
     std::string title;
     std::string x_column;
     std::string x_label;
-    std::string y_column;                    ///< Several joined by '+': their sum.
+    std::string y_column;  ///< Several joined by '+': their sum.
     std::string y_label;
     std::vector<std::string> series_columns;  ///< Rows with equal cells in these are one series.
     bool is_joined = false;
@@ -19,9 +19,9 @@ struct PlotRecipe {
 
 /// One measurement of the report: a command line after `hatchway measure`, and what is shown of its rows.
 struct ReportSection {
-    std::string name;   ///< Of the JSON file, without ending.
+    std::string name;  ///< Of the JSON file, without ending.
     std::string title;
-    std::string says;   ///< What is measured against what, in one or two sentences.
+    std::string says;  ///< What is measured against what, in one or two sentences.
     std::vector<std::string> arguments;
     std::vector<PlotRecipe> plots;
 };

@@ -28,7 +28,10 @@ struct Axis {
     int last_decade = 1;
     bool has_zero = false;
 
-    double decades_begin_px() const { return has_zero ? from_px + (to_px > from_px ? kZeroBand : -kZeroBand) : from_px; }
+    double decades_begin_px() const
+    {
+        return has_zero ? from_px + (to_px > from_px ? kZeroBand : -kZeroBand) : from_px;
+    }
     double at(double value) const
     {
         if (value <= 0.0) return from_px;
@@ -95,8 +98,8 @@ std::string series_of(const PlotSeries& series, const Axis& x, const Axis& y, co
     std::string path;
     for (const auto& [px, py] : series.points) {
         path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.at(px), y.at(py));
-        svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\" fill-opacity=\"0.75\"/>\n", x.at(px),
-                           y.at(py), colour);
+        svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\" fill-opacity=\"0.75\"/>\n",
+                           x.at(px), y.at(py), colour);
     }
     if (series.is_joined) svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", path, colour);
     return svg;
@@ -108,10 +111,14 @@ std::string escaped(const std::string& text)
 {
     std::string safe;
     for (const char c : text) {
-        if (c == '&') safe += "&amp;";
-        else if (c == '<') safe += "&lt;";
-        else if (c == '>') safe += "&gt;";
-        else safe += c;
+        if (c == '&')
+            safe += "&amp;";
+        else if (c == '<')
+            safe += "&lt;";
+        else if (c == '>')
+            safe += "&gt;";
+        else
+            safe += c;
     }
     return safe;
 }
@@ -123,9 +130,10 @@ std::string svg_of(const Plot& plot)
     if (is_empty) return "";
     const Axis x = axis_over(plot, kLeft, kWidth - kRight, [](const auto& point) { return point.first; });
     const Axis y = axis_over(plot, kHeight - kBottom, kTop, [](const auto& point) { return point.second; });
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-                                  "height=\"{1}\" font-family=\"sans-serif\" font-size=\"12\">\n",
-                                  kWidth, kHeight);
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+        "height=\"{1}\" font-family=\"sans-serif\" font-size=\"12\">\n",
+        kWidth, kHeight);
     svg += text_at(kLeft, 20.0, "start", plot.title) + axes_of(x, y);
     svg += text_at(0.5 * (x.from_px + x.to_px), kHeight - 12.0, "middle", plot.x_label);
     svg += fmt::format("<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",

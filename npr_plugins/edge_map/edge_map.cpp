@@ -12,11 +12,13 @@ class EdgeMap final : public hw::ImagePass {
  public:
     void visit_params(hw::ParamVisitor& visitor) override
     {
-        visitor.choice({"operator", "How depth is compared: diagonal neighbours, or all eight (C1).",
-                        hw::ParamChange::rebuild}, operator_, kOperators);
+        visitor.choice(
+            {"operator", "How depth is compared: diagonal neighbours, or all eight (C1).", hw::ParamChange::rebuild},
+            operator_, kOperators);
         visitor.real({"depth_scale", "How strongly a step in depth, as a share of the distance, counts."}, depth_scale_,
                      0.1f, 1000.0f);
-        visitor.real({"width_px", "Distance of the compared pixels: half the width of an edge."}, width_px_, 0.25f, 8.0f);
+        visitor.real({"width_px", "Distance of the compared pixels: half the width of an edge."}, width_px_, 0.25f,
+                     8.0f);
     }
 
     hw::Needs needs() const override
@@ -37,7 +39,8 @@ class EdgeMap final : public hw::ImagePass {
         uniforms.set("normal_depth", pass.image({"normal_depth", {}}))
             .set("depth_scale", depth_scale_)
             .set("width_px", width_px_);
-        return pass.filter({.format = hw::PixelFormat::rg8, .has_depth = false, .clear = glm::vec4(1.0f)}, program_, uniforms);
+        return pass.filter({.format = hw::PixelFormat::rg8, .has_depth = false, .clear = glm::vec4(1.0f)}, program_,
+                           uniforms);
     }
 
  private:

@@ -12,49 +12,61 @@ constexpr std::array<std::string_view, 4> kHatchSources{"model", "box", "cylinde
 constexpr float kDegree = 0.017453293f;
 constexpr float kCrossDeg = 70.0f;
 
-glm::vec2 direction(float angle_deg) { return {std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree)}; }
+glm::vec2 direction(float angle_deg)
+{
+    return {std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree)};
+}
 
 class Hybrid final : public hw::Style {
  public:
     void visit_params(hw::ParamVisitor& visitor) override
     {
-        visitor.real({"ink_weight", "Share of ink where no gradient says otherwise; with one, its largest share."}, ink_weight_,
-                     0.0f, 1.0f);
-        visitor.choice({"gradient", "Where ink rises: nowhere, between two heights, or from the object's foot to its top."},
-                       gradient_, kGradients);
+        visitor.real({"ink_weight", "Share of ink where no gradient says otherwise; with one, its largest share."},
+                     ink_weight_, 0.0f, 1.0f);
+        visitor.choice(
+            {"gradient", "Where ink rises: nowhere, between two heights, or from the object's foot to its top."},
+            gradient_, kGradients);
         visitor.real({"from_m", "Height where ink begins, metres; of gradient object: share of its height."}, from_m_,
                      -1000.0f, 1000.0f);
         visitor.real({"to_m", "Height where ink has its full share; of gradient object: share of its height."}, to_m_,
                      -1000.0f, 1000.0f);
-        visitor.colour({"tint", "Colour of the ink's paper: a free variable of the presentation, such as certainty."}, tint_);
+        visitor.colour({"tint", "Colour of the ink's paper: a free variable of the presentation, such as certainty."},
+                       tint_);
         visitor.colour({"ink_colour", "Colour of lines."}, ink_);
         visitor.colour({"hatch_colour", "Colour of hatching and of ink maps."}, hatch_ink_);
-        visitor.real({"crease_deg", "Edges folded by more than this are drawn from every viewpoint.",
-                      hw::ParamChange::rebuild}, crease_deg_, 1.0f, 180.0f);
+        visitor.real(
+            {"crease_deg", "Edges folded by more than this are drawn from every viewpoint.", hw::ParamChange::rebuild},
+            crease_deg_, 1.0f, 180.0f);
         visitor.real({"line_width_px", "Width of lines."}, line_width_px_, 0.0f, 16.0f);
-        visitor.real({"line_presence", "Share of the lines where the object is photoreal."}, line_presence_, 0.0f, 1.0f);
+        visitor.real({"line_presence", "Share of the lines where the object is photoreal."}, line_presence_, 0.0f,
+                     1.0f);
         visitor.real({"spacing_px", "Between hatching strokes."}, spacing_px_, 2.0f, 64.0f);
         visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
-        visitor.choice({"hatch_direction", "What strokes follow: the model's texture coordinates (a box where it has none), a box, "
-                        "a cylinder, or the direction of strongest curvature.", hw::ParamChange::rebuild}, hatch_source_,
-                       kHatchSources);
+        visitor.choice({"hatch_direction",
+                        "What strokes follow: the model's texture coordinates (a box where it has none), a box, "
+                        "a cylinder, or the direction of strongest curvature.",
+                        hw::ParamChange::rebuild},
+                       hatch_source_, kHatchSources);
         visitor.real({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_deg_, -90.0f, 90.0f);
         visitor.real({"darkness", "Ink coverage of the darkest shadow."}, darkness_, 0.0f, 1.0f);
         visitor.real({"white_from", "Light above which paper stays white."}, white_from_, 0.05f, 1.0f);
         visitor.real({"shadow_below", "Light below which hatching is darkest."}, shadow_below_, 0.0f, 0.95f);
-        visitor.real({"light_response", "How much light and shadow change the tone; 0 hatches evenly, half dark."}, light_response_,
-                     0.0f, 1.0f);
+        visitor.real({"light_response", "How much light and shadow change the tone; 0 hatches evenly, half dark."},
+                     light_response_, 0.0f, 1.0f);
         visitor.real({"material_tone", "How much dark materials darken the hatching."}, material_tone_, 0.0f, 1.0f);
         visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the tint."}, uncertain_);
-        visitor.real({"paper_from_material", "Share of the material's colour in the paper's."}, paper_from_material_, 0.0f, 1.0f);
-        visitor.real({"ink_from_material", "Share of the material's colour in the hatching's."}, ink_from_material_, 0.0f, 1.0f);
+        visitor.real({"paper_from_material", "Share of the material's colour in the paper's."}, paper_from_material_,
+                     0.0f, 1.0f);
+        visitor.real({"ink_from_material", "Share of the material's colour in the hatching's."}, ink_from_material_,
+                     0.0f, 1.0f);
     }
 
     hw::Needs needs() const override
     {
         hw::Needs needs;
         needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
-        needs.streams = {.tangent = true, .hatch_uv = true, .hatch_source = static_cast<hw::HatchSource>(hatch_source_)};
+        needs.streams = {
+            .tangent = true, .hatch_uv = true, .hatch_source = static_cast<hw::HatchSource>(hatch_source_)};
         needs.shadow = hw::ShadowNeed::main_light;
         needs.lightmap = true;
         return needs;
@@ -124,7 +136,8 @@ class Hybrid final : public hw::Style {
     int gradient_ = kObject, hatch_source_ = 0;
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
-    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.60f, white_from_ = 0.70f, shadow_below_ = 0.26f;
+    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.60f, white_from_ = 0.70f,
+          shadow_below_ = 0.26f;
     float light_response_ = 1.0f, material_tone_ = 0.15f, paper_from_material_ = 0.0f, ink_from_material_ = 0.0f;
     glm::vec3 uncertain_{1.0f};
     hw::Program program_;

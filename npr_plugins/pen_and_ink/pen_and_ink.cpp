@@ -14,51 +14,68 @@ constexpr const char* kHalftoneMap = "halftone";
 constexpr std::array<std::string_view, 4> kHatchSources{"model", "box", "cylinder", "principal"};
 constexpr float kDegree = 0.017453293f;
 
-glm::vec2 direction(float angle_deg) { return {std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree)}; }
+glm::vec2 direction(float angle_deg)
+{
+    return {std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree)};
+}
 
 class PenAndInk final : public hw::Style {
  public:
     void visit_params(hw::ParamVisitor& visitor) override
     {
         visit_lines(visitor);
-        visitor.choice({"tone", "What fills faces: nothing, even hatching by the hatch map, hatching by light and "
+        visitor.choice({"tone",
+                        "What fills faces: nothing, even hatching by the hatch map, hatching by light and "
                         "shadow, or the same by a threshold over a priority map.",
-                        hw::ParamChange::rebuild}, tone_, kTones);
+                        hw::ParamChange::rebuild},
+                       tone_, kTones);
         visitor.real({"spacing_px", "Between hatching strokes."}, spacing_px_, 2.0f, 64.0f);
         visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
-        visitor.choice({"hatch_direction", "What strokes follow: the model's texture coordinates (a box where it has none), a box, "
-                        "a cylinder, or the direction of strongest curvature.", hw::ParamChange::rebuild}, hatch_source_,
-                       kHatchSources);
+        visitor.choice({"hatch_direction",
+                        "What strokes follow: the model's texture coordinates (a box where it has none), a box, "
+                        "a cylinder, or the direction of strongest curvature.",
+                        hw::ParamChange::rebuild},
+                       hatch_source_, kHatchSources);
         visitor.real({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_deg_, -90.0f, 90.0f);
         visitor.real({"cross_deg", "From the first direction to the one that crosses it."}, cross_deg_, 10.0f, 90.0f);
-        visitor.real({"stroke_length_px", "Mean length of strokes; 0 rules endless lines."}, stroke_length_px_, 0.0f, 1000.0f);
+        visitor.real({"stroke_length_px", "Mean length of strokes; 0 rules endless lines."}, stroke_length_px_, 0.0f,
+                     1000.0f);
         visitor.real({"wobble_px", "How far a stroke strays sideways."}, wobble_px_, 0.0f, 4.0f);
         visitor.real({"darkness", "Ink coverage of the darkest shadow."}, darkness_, 0.0f, 1.0f);
         visitor.real({"white_from", "Light above which paper stays white."}, white_from_, 0.05f, 1.0f);
         visitor.real({"shadow_below", "Light below which hatching is darkest."}, shadow_below_, 0.0f, 0.95f);
         visitor.real({"material_tone", "How much dark materials darken the hatching."}, material_tone_, 0.0f, 1.0f);
-        visitor.real({"light_response", "How much light and shadow change the tone; 0 hatches evenly, half dark."}, light_response_,
-                     0.0f, 1.0f);
-        visitor.choice({"fade", "Where hatching fades: nowhere, between two heights, or from the object's foot to its top."},
-                       fade_, kFades);
-        visitor.real({"fade_from_m", "Height where hatching begins to fade, metres; of fade object: share of its height."},
-                     fade_from_m_, -1000.0f, 1000.0f);
-        visitor.real({"fade_to_m", "Height where hatching is gone, metres; of fade object: share of its height."}, fade_to_m_,
-                     -1000.0f, 1000.0f);
+        visitor.real({"light_response", "How much light and shadow change the tone; 0 hatches evenly, half dark."},
+                     light_response_, 0.0f, 1.0f);
+        visitor.choice(
+            {"fade", "Where hatching fades: nowhere, between two heights, or from the object's foot to its top."},
+            fade_, kFades);
+        visitor.real(
+            {"fade_from_m", "Height where hatching begins to fade, metres; of fade object: share of its height."},
+            fade_from_m_, -1000.0f, 1000.0f);
+        visitor.real({"fade_to_m", "Height where hatching is gone, metres; of fade object: share of its height."},
+                     fade_to_m_, -1000.0f, 1000.0f);
         visitor.real({"shade", "Smooth gray shade under the ink."}, shade_, 0.0f, 1.0f);
         visitor.colour({"paper_colour", "Colour of faces."}, paper_);
         visitor.colour({"ink_colour", "Colour of silhouettes, borders and intersections."}, ink_);
-        visitor.colour({"hatch_colour", "Colour of hatching and of ink maps: a little softer than lines, it stays behind them."},
-                       hatch_ink_);
-        visitor.real({"paper_from_material", "Share of the material's colour in the paper's.", hw::ParamChange::rebuild},
-                     paper_from_material_, 0.0f, 1.0f);
-        visitor.real({"ink_from_material", "Share of the material's colour in the hatching's.", hw::ParamChange::rebuild},
-                     ink_from_material_, 0.0f, 1.0f);
-        visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the paper's colour."}, uncertain_);
-        visitor.map({"hatch", "Hatch map of tone plain, where the level assigns none.", hw::ParamChange::rebuild}, hatch_,
-                    hw::MapKind::hatch);
-        visitor.map({"tonal", "Tonal map that hatches by light in place of strokes that are reckoned; of tone halftone a priority map.", hw::ParamChange::rebuild},
-                    tonal_, hw::MapKind::tonal);
+        visitor.colour(
+            {"hatch_colour", "Colour of hatching and of ink maps: a little softer than lines, it stays behind them."},
+            hatch_ink_);
+        visitor.real(
+            {"paper_from_material", "Share of the material's colour in the paper's.", hw::ParamChange::rebuild},
+            paper_from_material_, 0.0f, 1.0f);
+        visitor.real(
+            {"ink_from_material", "Share of the material's colour in the hatching's.", hw::ParamChange::rebuild},
+            ink_from_material_, 0.0f, 1.0f);
+        visitor.colour({"uncertain_colour", "Paper of objects of certainty 0; certainty 1 has the paper's colour."},
+                       uncertain_);
+        visitor.map({"hatch", "Hatch map of tone plain, where the level assigns none.", hw::ParamChange::rebuild},
+                    hatch_, hw::MapKind::hatch);
+        visitor.map(
+            {"tonal",
+             "Tonal map that hatches by light in place of strokes that are reckoned; of tone halftone a priority map.",
+             hw::ParamChange::rebuild},
+            tonal_, hw::MapKind::tonal);
         visitor.map({"ink", "Ink map: drawn detail such as courses of stone.", hw::ParamChange::rebuild}, ink_map_,
                     hw::MapKind::ink);
         visitor.real({"ink_map_strength", "Of the ink map; 0 hides it."}, ink_map_strength_, 0.0f, 1.0f);
@@ -146,24 +163,34 @@ class PenAndInk final : public hw::Style {
 
     void visit_lines(hw::ParamVisitor& visitor)
     {
-        visitor.real({"crease_deg", "Edges folded by more than this are drawn from every viewpoint.",
-                      hw::ParamChange::rebuild}, crease_deg_, 1.0f, 180.0f);
-        visitor.real({"line_width_px", "Width of ridges and of edges that the artist marked."}, line_width_px_, 0.0f, 16.0f);
+        visitor.real(
+            {"crease_deg", "Edges folded by more than this are drawn from every viewpoint.", hw::ParamChange::rebuild},
+            crease_deg_, 1.0f, 180.0f);
+        visitor.real({"line_width_px", "Width of ridges and of edges that the artist marked."}, line_width_px_, 0.0f,
+                     16.0f);
         visitor.real({"valley_width_px", "Width of creases that fold inward."}, valley_width_px_, 0.0f, 16.0f);
         visitor.real({"silhouette_width_px", "Width of silhouettes."}, silhouette_width_px_, 0.0f, 16.0f);
         visitor.real({"border_width_px", "Width of borders, where a surface ends."}, border_width_px_, 0.0f, 16.0f);
-        visitor.real({"intersection_width_px", "Width of lines where things go through each other; 0 does not look for them.",
-                      hw::ParamChange::rebuild}, intersection_width_px_, 0.0f, 16.0f);
+        visitor.real(
+            {"intersection_width_px", "Width of lines where things go through each other; 0 does not look for them.",
+             hw::ParamChange::rebuild},
+            intersection_width_px_, 0.0f, 16.0f);
         visitor.colour({"crease_colour", "Colour of creases and of edges that the artist marked."}, crease_colour_);
-        visitor.real({"fold_weight", "1 draws creases the thinner the less they are folded, 0 all alike."}, fold_weight_, 0.0f, 1.0f);
-        visitor.real({"line_wobble_px", "How far lines stray sideways, as by hand; 0 rules them."}, stroke_.wobble_px, 0.0f, 12.0f);
+        visitor.real({"fold_weight", "1 draws creases the thinner the less they are folded, 0 all alike."},
+                     fold_weight_, 0.0f, 1.0f);
+        visitor.real({"line_wobble_px", "How far lines stray sideways, as by hand; 0 rules them."}, stroke_.wobble_px,
+                     0.0f, 12.0f);
         visitor.real({"line_bend_px", "From one bend of a line to the next, about."}, stroke_.bend_px, 4.0f, 500.0f);
-        visitor.real({"line_overshoot_px", "How far lines run on beyond corners, silhouettes apart."}, stroke_.overshoot_px, 0.0f, 40.0f);
-        visitor.real({"line_taper_px", "Length over which lines grow thin to their ends, silhouettes apart."}, stroke_.taper_px, 0.0f, 200.0f);
-        visitor.real({"line_dash_px", "A dash and its gap, silhouettes apart; 0 draws unbroken lines."}, stroke_.dash_px, 0.0f, 200.0f);
+        visitor.real({"line_overshoot_px", "How far lines run on beyond corners, silhouettes apart."},
+                     stroke_.overshoot_px, 0.0f, 40.0f);
+        visitor.real({"line_taper_px", "Length over which lines grow thin to their ends, silhouettes apart."},
+                     stroke_.taper_px, 0.0f, 200.0f);
+        visitor.real({"line_dash_px", "A dash and its gap, silhouettes apart; 0 draws unbroken lines."},
+                     stroke_.dash_px, 0.0f, 200.0f);
         visitor.real({"line_dash_share", "Of the dash in that."}, stroke_.dash_share, 0.05f, 1.0f);
         visitor.real({"depth_taper", "1 thins lines with distance, 0 keeps their width."}, depth_taper_, 0.0f, 1.0f);
-        visitor.flag({"far_thinning", "Fades crowded lines of far objects, so that they do not turn black."}, is_far_thinned_);
+        visitor.flag({"far_thinning", "Fades crowded lines of far objects, so that they do not turn black."},
+                     is_far_thinned_);
     }
 
     float crease_deg_ = 40.0f, depth_taper_ = 0.0f, fold_weight_ = 0.0f;

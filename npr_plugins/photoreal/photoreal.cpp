@@ -9,7 +9,8 @@ class Photoreal final : public hw::Style {
     {
         visitor.real({"brightness", "Factor on the light that leaves the object."}, brightness_, 0.0f, 8.0f);
         visitor.real({"saturation", "0 shows grays, 1 the model's colours."}, saturation_, 0.0f, 2.0f);
-        visitor.colour({"tint", "Colour that is multiplied onto the object: a free variable of the presentation."}, tint_);
+        visitor.colour({"tint", "Colour that is multiplied onto the object: a free variable of the presentation."},
+                       tint_);
         visitor.flag({"shadows", "Whether the main light casts shadows on the object.", hw::ParamChange::rebuild},
                      has_shadows_);
     }

@@ -14,7 +14,10 @@ constexpr std::size_t kMostOfPath = 400;
 constexpr std::size_t kMostOfWord = 160;
 constexpr std::size_t kMostOfPart = 1500;
 
-bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+bool is_inside_character(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
 
 /// At most about `most` bytes: the middle is left out, between whole UTF-8 characters.
 std::string shortened(std::string_view text, std::size_t most)
@@ -73,7 +76,10 @@ std::string message_of(const ErrorParts& parts)
 
 Error::Error(ErrorParts parts) : std::runtime_error(message_of(parts)), parts_(std::move(parts)) {}
 
-int exit_code(const Error& error) { return error.parts().fault == Fault::ours ? 1 : 2; }
+int exit_code(const Error& error)
+{
+    return error.parts().fault == Fault::ours ? 1 : 2;
+}
 
 void assertion_failed(const char* condition, const char* file, int line)
 {

@@ -141,6 +141,18 @@ bool is_inside(const fs::path& root, const fs::path& path)
     return root_end == root.end() || (root_end->empty() && std::next(root_end) == root.end());
 }
 
+/// Whether a part of the path is a link: in a weakly canonical one, a link that leads nowhere yet.
+bool has_link(const fs::path& path)
+{
+    fs::path part;
+    std::error_code missing;
+    for (const fs::path& name : path) {
+        part /= name;
+        if (fs::is_symlink(fs::symlink_status(part, missing))) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::uint64_t max_bytes)
@@ -200,6 +212,7 @@ fs::path resolve_inside(const fs::path& root, const fs::path& base, std::string_
     const fs::path resolved = fs::weakly_canonical(base / wanted, failed);
     if (failed) throw refuse("cannot be resolved");
     if (!is_inside(real_root, resolved)) throw refuse("leaves the project");
+    if (has_link(resolved)) throw refuse("is a link that leads nowhere");
     return resolved;
 }
 

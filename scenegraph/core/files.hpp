@@ -10,8 +10,8 @@
 
 namespace hw {
 
-/// Reads a whole regular file. Throws hw::Error when it is missing, not a regular file (folder, FIFO, device), or larger
-/// than `max_bytes`.
+/// Reads a whole regular file. Throws hw::Error when it is missing, not a regular file (folder, FIFO, device), or
+/// larger than `max_bytes`.
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
@@ -25,8 +25,8 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
 /// Resolves a path that a file names, relative to the folder `base`, and proves that it stays inside the folder `root`,
-/// symbolic links followed. Throws hw::Error for an absolute path, one that leaves `root`, or one with a NUL byte.
-/// `named_in` and `pointer` tell the message where the path stands.
+/// symbolic links followed. Throws hw::Error for an absolute path, one that leaves `root`, one with a link that leads
+/// nowhere yet, or one with a NUL byte. `named_in` and `pointer` tell the message where the path stands.
 std::filesystem::path resolve_inside(const std::filesystem::path& root, const std::filesystem::path& base,
                                      std::string_view relative, const std::string& named_in,
                                      const std::string& pointer);

@@ -29,7 +29,8 @@ std::vector<Token> tokens_of(std::string_view pattern)
             tokens.push_back({Token::any});
         } else if (close != std::string_view::npos) {
             const bool is_negated = pattern[i + 1] == '!';
-            tokens.push_back({Token::one_of, 0, pattern.substr(i + 1 + is_negated, close - i - 1 - is_negated), is_negated});
+            tokens.push_back(
+                {Token::one_of, 0, pattern.substr(i + 1 + is_negated, close - i - 1 - is_negated), is_negated});
             i = close;
         } else {
             tokens.push_back({Token::literal, c});
@@ -54,16 +55,24 @@ bool is_in_set(std::string_view set, char c)
 bool accepts(const Token& token, char c)
 {
     switch (token.kind) {
-        case Token::literal: return token.character == c;
-        case Token::any: return c != '/';
-        case Token::one_of: return is_in_set(token.set, c) != token.is_negated;
-        case Token::run: return c != '/';
-        case Token::deep_run: return true;
+        case Token::literal:
+            return token.character == c;
+        case Token::any:
+            return c != '/';
+        case Token::one_of:
+            return is_in_set(token.set, c) != token.is_negated;
+        case Token::run:
+            return c != '/';
+        case Token::deep_run:
+            return true;
     }
     return false;
 }
 
-bool is_run(const Token& token) { return token.kind == Token::run || token.kind == Token::deep_run; }
+bool is_run(const Token& token)
+{
+    return token.kind == Token::run || token.kind == Token::deep_run;
+}
 
 }  // namespace
 

@@ -9,7 +9,8 @@ namespace {
 spdlog::logger& logger()
 {
     static const std::shared_ptr<spdlog::logger> log = [] {
-        auto created = std::make_shared<spdlog::logger>("hatchway", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+        auto created =
+            std::make_shared<spdlog::logger>("hatchway", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
         created->set_pattern("%n: %^%l%$: %v");
         return created;
     }();
@@ -25,9 +26,21 @@ void set_log_level(LogLevel level)
     logger().set_level(kLevels[static_cast<int>(level)]);
 }
 
-void log_debug(std::string_view message) { logger().debug("{}", message); }
-void log_info(std::string_view message) { logger().info("{}", message); }
-void log_warning(std::string_view message) { logger().warn("{}", message); }
-void log_error(std::string_view message) { logger().error("{}", message); }
+void log_debug(std::string_view message)
+{
+    logger().debug("{}", message);
+}
+void log_info(std::string_view message)
+{
+    logger().info("{}", message);
+}
+void log_warning(std::string_view message)
+{
+    logger().warn("{}", message);
+}
+void log_error(std::string_view message)
+{
+    logger().error("{}", message);
+}
 
 }  // namespace hw

@@ -1,9 +1,10 @@
-// A cluster is front-facing as a whole when v . axis cos(cone) - h > sin(cone) |v - (v . axis) axis|, where v goes from the
-// cluster's centre to the eye, the cone around the axis holds all normals, and h is how far the centre is from the plane of
-// any face: with f the angle of v above the plane across the axis, each normal n has n . v >= |v| sin(f - cone), and the
-// eye's distance from the plane of n is at least h less. Both sides squared need no root. The same with the sign turned is
-// back-facing. The planes of a smooth piece of surface pass much closer to its centre than its corners are, so that h is
-// far smaller than the ball that other cone tests take. The test has no singularity at the centre.
+// A cluster is front-facing as a whole when v . axis cos(cone) - h > sin(cone) |v - (v . axis) axis|, where v goes from
+// the cluster's centre to the eye, the cone around the axis holds all normals, and h is how far the centre is from the
+// plane of any face: with f the angle of v above the plane across the axis, each normal n has n . v >= |v| sin(f -
+// cone), and the eye's distance from the plane of n is at least h less. Both sides squared need no root. The same with
+// the sign turned is back-facing. The planes of a smooth piece of surface pass much closer to its centre than its
+// corners are, so that h is far smaller than the ball that other cone tests take. The test has no singularity at the
+// centre.
 #include "geometry/face_clusters.hpp"
 
 #include <algorithm>
@@ -16,10 +17,10 @@
 namespace hw {
 namespace {
 
-constexpr double kSineSlack = 8e-6;  // normals known to 1e-6, axis and products rounded to floats: under 4e-6 together
+constexpr double kSineSlack = 8e-6;   // normals known to 1e-6, axis and products rounded to floats: under 4e-6 together
 constexpr float kPlaceSlack = 1e-5f;  // the eye, the centre and the sums rounded to floats, in sizes of the mesh
 constexpr float kSquareSlack = 2e-5f;  // the same for the difference of squares
-constexpr double kSharpest = 1e-9;   // sine of a corner below which doubles do not tell a normal to 1e-6
+constexpr double kSharpest = 1e-9;     // sine of a corner below which doubles do not tell a normal to 1e-6
 constexpr float kNeverUniform = 1e9f;  // a squared sine that no cluster reaches
 
 std::uint64_t spread(std::uint64_t x)
@@ -203,7 +204,8 @@ void decide_each(const std::array<const float*, 8>& bounds, const glm::vec4& eye
                  std::uint8_t* __restrict facing)
 {
     for (std::uint32_t i = 0; i < count; ++i) {
-        const float x = eye.x - eye.w * bounds[0][i], y = eye.y - eye.w * bounds[1][i], z = eye.z - eye.w * bounds[2][i];
+        const float x = eye.x - eye.w * bounds[0][i], y = eye.y - eye.w * bounds[1][i],
+                    z = eye.z - eye.w * bounds[2][i];
         const float along = x * bounds[4][i] + y * bounds[5][i] + z * bounds[6][i];
         const float above = std::abs(along) - (eye.w * bounds[3][i] + slack);
         const float aside = bounds[7][i] * (x * x + y * y + z * z - along * along + kSquareSlack);

@@ -16,10 +16,10 @@ struct Surface;
 std::vector<std::uint32_t> spatial_order(std::span<const glm::vec3> positions,
                                          std::span<const std::array<std::uint32_t, 3>> faces);
 
-/// Faces in clusters of 32 consecutive numbers, each with a cone around its normals and a slab around its planes: most clusters
-/// look at the viewer, or away, as a whole, and then none of their faces and inner edges need be looked at. The same
-/// again with groups of 32 clusters, so that far from the contour not even clusters are looked at. 6 bytes an edge and
-/// about 3 bytes a face.
+/// Faces in clusters of 32 consecutive numbers, each with a cone around its normals and a slab around its planes: most
+/// clusters look at the viewer, or away, as a whole, and then none of their faces and inner edges need be looked at.
+/// The same again with groups of 32 clusters, so that far from the contour not even clusters are looked at. 6 bytes an
+/// edge and about 3 bytes a face.
 class FaceClusters {
  public:
     static constexpr std::uint32_t kFaces = 32;
@@ -41,9 +41,9 @@ class FaceClusters {
     std::uint32_t group_count() const { return (count_ + kGroup - 1) / kGroup; }
     std::size_t bytes() const;
 
-    /// Decides all groups and clusters: `front` and `back` are proven for all faces, `mixed` is the rest. A cluster that is
-    /// decided gets a mask of 32 equal bits, 1 for front; those that are not are appended to `mixed` from 0 on, and their
-    /// number is returned. `groups`, `masks` and `mixed` have room for all.
+    /// Decides all groups and clusters: `front` and `back` are proven for all faces, `mixed` is the rest. A cluster
+    /// that is decided gets a mask of 32 equal bits, 1 for front; those that are not are appended to `mixed` from 0 on,
+    /// and their number is returned. `groups`, `masks` and `mixed` have room for all.
     std::uint32_t decide(const Viewpoint& viewpoint_object, std::span<Facing> groups, std::span<std::uint32_t> masks,
                          std::span<std::uint32_t> mixed) const;
 
@@ -68,8 +68,8 @@ class FaceClusters {
     std::span<const std::uint32_t> loose_edges() const { return loose_edges_; }
 
  private:
-    /// For runs of faces, relative to centre_ and scale_: centre (x y z), its farthest distance from a face's plane, and a
-    /// cone around the normals (axis times the cosine, squared sine).
+    /// For runs of faces, relative to centre_ and scale_: centre (x y z), its farthest distance from a face's plane,
+    /// and a cone around the normals (axis times the cosine, squared sine).
     using Bounds = std::array<std::vector<float>, 8>;
 
     struct Query;

@@ -26,10 +26,9 @@ void FaceTree::build(std::uint32_t begin, std::uint32_t end)
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::uint32_t middle = begin + (end - begin) / 2;
     const auto centre = [&](std::uint32_t i) { return boxes_[i].min[axis] + boxes_[i].max[axis]; };
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         return centre(a) != centre(b) ? centre(a) < centre(b) : a < b;
-                     });
+    std::nth_element(
+        order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+        [&](std::uint32_t a, std::uint32_t b) { return centre(a) != centre(b) ? centre(a) < centre(b) : a < b; });
     build(begin, middle);
     nodes_[own].second = static_cast<std::uint32_t>(nodes_.size());
     build(middle, end);

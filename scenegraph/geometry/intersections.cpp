@@ -1,8 +1,8 @@
 // Faces are paired by sweeping their boxes. Two faces cut each other in a segment whose ends are each an edge of one
-// through the other: which edge pierces which face is decided for the edge and the face alone, whatever face of the edge
-// asks, and so neighbours name the same joints. Ties (a vertex in a plane, edges that touch) are decided as if the second
-// object were moved by (e, e^2, e^3) for an e as small as is needed: no tie is left, and all answers fit together.
-// Source: Edelsbrunner, Muecke. Simulation of Simplicity. ACM Transactions on Graphics 9, 1990, for the idea.
+// through the other: which edge pierces which face is decided for the edge and the face alone, whatever face of the
+// edge asks, and so neighbours name the same joints. Ties (a vertex in a plane, edges that touch) are decided as if the
+// second object were moved by (e, e^2, e^3) for an e as small as is needed: no tie is left, and all answers fit
+// together. Source: Edelsbrunner, Muecke. Simulation of Simplicity. ACM Transactions on Graphics 9, 1990, for the idea.
 #include "geometry/intersections.hpp"
 
 #include <tbb/parallel_for.h>
@@ -148,7 +148,8 @@ class PairCuts {
                           [&](std::uint32_t other) { return objects_[1 - side]->boxes[other].max[axis] < at; });
             for (const std::uint32_t other : open[1 - side]) {
                 if (!do_meet(objects_[side]->boxes[face], objects_[1 - side]->boxes[other])) continue;
-                if (is_alone() && (is_first ? component(face) >= component(other) : component(other) >= component(face)))
+                if (is_alone() &&
+                    (is_first ? component(face) >= component(other) : component(other) >= component(face)))
                     continue;
                 is_first ? test(face, other) : test(other, face);
             }
@@ -294,8 +295,8 @@ bool do_graze(const Placed& a, std::uint32_t face_a, const Placed& b, std::uint3
 {
     const auto normal = [](const Placed& object, std::uint32_t face) {
         const auto& [p, q, r] = object.surface->faces[face];
-        const glm::dvec3 area = glm::cross(object.positions[q] - object.positions[p],
-                                           object.positions[r] - object.positions[p]);
+        const glm::dvec3 area =
+            glm::cross(object.positions[q] - object.positions[p], object.positions[r] - object.positions[p]);
         const double length = glm::length(area);
         return length > 0.0 ? area / length : glm::dvec3(0.0);
     };
@@ -340,17 +341,18 @@ std::vector<IntersectionLine> find_intersections(std::span<const LineObject> obj
     for (std::uint32_t a = 0; a < objects.size(); ++a) {
         if (shows_intersections(objects[a]) && objects[a].surface->components.size() > 1) pairs.push_back({a, a});
         for (std::uint32_t b = a + 1; b < objects.size(); ++b)
-            if ((shows_intersections(objects[a]) || shows_intersections(objects[b])) && do_meet(world[a].box, world[b].box))
+            if ((shows_intersections(objects[a]) || shows_intersections(objects[b])) &&
+                do_meet(world[a].box, world[b].box))
                 pairs.push_back({a, b});
     }
     std::vector<std::vector<Cut>> cuts(pairs.size());
-    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
-        cuts[i] = PairCuts(world[pairs[i][0]], world[pairs[i][1]]).run();
-    });
+    tbb::parallel_for(std::size_t{0}, pairs.size(),
+                      [&](std::size_t i) { cuts[i] = PairCuts(world[pairs[i][0]], world[pairs[i][1]]).run(); });
     std::vector<IntersectionLine> lines;
     std::uint32_t first_joint = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        first_joint += append_lines(world[pairs[i][0]], world[pairs[i][1]], pairs[i], cuts[i], first_joint, options, lines);
+        first_joint +=
+            append_lines(world[pairs[i][0]], world[pairs[i][1]], pairs[i], cuts[i], first_joint, options, lines);
     return lines;
 }
 

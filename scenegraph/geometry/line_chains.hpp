@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kFreeEnd = 0xffffffffu;
 struct LineChain {
     std::vector<glm::dvec2> points;
     std::vector<double> depths;  ///< One for each point.
-    bool is_closed = false;  ///< The first point is not repeated.
+    bool is_closed = false;      ///< The first point is not repeated.
 };
 
 /// Joins pieces to polylines. Where more than two meet, the straightest pairs go on. Every piece is in one chain, once;

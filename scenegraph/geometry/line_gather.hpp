@@ -15,7 +15,7 @@ struct DrawnLine {
     VisibleLineClass line_class = VisibleLineClass::silhouette;
     /// Of the surface, or joints of intersections; kFreeEnd where it is a part of an edge.
     std::array<std::uint32_t, 2> vertices{};
-    std::array<std::uint32_t, 2> faces{};     ///< Numbers among all faces; kNoFace where there is none.
+    std::array<std::uint32_t, 2> faces{};  ///< Numbers among all faces; kNoFace where there is none.
     glm::dvec3 from_view{0.0};
     glm::dvec3 to_view{0.0};
     bool is_edge = true;  ///< A whole edge of the object's surface.

@@ -16,11 +16,11 @@ struct MeshData {
     std::vector<glm::vec4> tangents;  ///< xyz unit, w = +1 or -1: bitangent = w * cross(normal, tangent).
     std::vector<glm::vec2> uv0;
     std::vector<glm::vec2> uv1;
-    std::vector<glm::vec2> lightmap_uv;          ///< In luxels of the mesh; only where light has been baked.
-    std::vector<glm::vec4> colours;              ///< Linear RGBA.
-    std::vector<std::uint32_t> indices;          ///< Three per triangle, counter-clockwise seen from outside.
-    bool has_own_normals = false;                ///< The model stated normals; false: made by the importer (flat).
-    std::vector<std::uint32_t> artist_edges;     ///< Pairs of vertex indices that the artist marked to be drawn.
+    std::vector<glm::vec2> lightmap_uv;       ///< In luxels of the mesh; only where light has been baked.
+    std::vector<glm::vec4> colours;           ///< Linear RGBA.
+    std::vector<std::uint32_t> indices;       ///< Three per triangle, counter-clockwise seen from outside.
+    bool has_own_normals = false;             ///< The model stated normals; false: made by the importer (flat).
+    std::vector<std::uint32_t> artist_edges;  ///< Pairs of vertex indices that the artist marked to be drawn.
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };

@@ -58,8 +58,8 @@ std::vector<Overlaps::Triangle> Overlaps::triangles_of(std::span<const SeamObjec
                 triangle.corners[i] = glm::dvec3(object.world_from_object *
                                                  glm::dvec4(glm::dvec3(object.surface->positions[face[i]]), 1.0));
             if (side < 0.0) std::swap(triangle.corners[1], triangle.corners[2]);
-            const glm::dvec3 area = glm::cross(triangle.corners[1] - triangle.corners[0],
-                                               triangle.corners[2] - triangle.corners[0]);
+            const glm::dvec3 area =
+                glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
             const double size = glm::length(area);
             if (!(size > 0.0)) continue;
             triangle.normal = area / size;
@@ -77,7 +77,8 @@ std::vector<Box> Overlaps::boxes_of(const std::vector<Triangle>& triangles)
     return boxes;
 }
 
-/// Where the surface of `style` lies along a..b in a plane that looks to `normal`; without the faces of the line itself.
+/// Where the surface of `style` lies along a..b in a plane that looks to `normal`; without the faces of the line
+/// itself.
 std::vector<Interval> Overlaps::covered(const Way& way, const glm::dvec3& shift, const glm::dvec3& normal)
 {
     const double tolerance = options_.tolerance_m;

@@ -21,13 +21,14 @@ struct FaceAtSegment {
     glm::dvec3 normal;  ///< Unit, to the side from which it is seen.
 };
 
-/// Finds where a line lies inside of a coplanar face of the same style, so that the surface goes on at both sides of it:
-/// kit pieces that lie into one another.
+/// Finds where a line lies inside of a coplanar face of the same style, so that the surface goes on at both sides of
+/// it: kit pieces that lie into one another.
 class Overlaps {
  public:
     Overlaps(std::span<const SeamObject> objects, const SeamOptions& options);
 
-    /// Appends the parts of the segment that such a face covers, while all faces at the line lie in its plane or behind.
+    /// Appends the parts of the segment that such a face covers, while all faces at the line lie in its plane or
+    /// behind.
     void find(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t style, std::span<const FaceAtSegment> faces,
               std::vector<Interval>& parts);
 

@@ -1,6 +1,6 @@
-// Only clusters that the cones leave open have their faces looked at. Facing then is a mask of 32 bits for each cluster, and
-// edges are looked at only where two linked clusters, or the faces of one, are not all alike: eight at a time, shifting the
-// two masks by the places of their faces.
+// Only clusters that the cones leave open have their faces looked at. Facing then is a mask of 32 bits for each
+// cluster, and edges are looked at only where two linked clusters, or the faces of one, are not all alike: eight at a
+// time, shifting the two masks by the places of their faces.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -85,8 +85,7 @@ std::uint32_t mask_of(const std::uint8_t* facing)
     std::array<std::uint64_t, 4> eights;
     std::memcpy(eights.data(), facing, sizeof(eights));
     std::uint32_t mask = 0;
-    for (int i = 0; i < 4; ++i)
-        mask |= static_cast<std::uint32_t>(eights[i] * 0x0102040810204080 >> 56) << (8 * i);
+    for (int i = 0; i < 4; ++i) mask |= static_cast<std::uint32_t>(eights[i] * 0x0102040810204080 >> 56) << (8 * i);
     return mask;
 }
 
@@ -137,8 +136,7 @@ class ClusterSearch {
             const std::uint32_t end_block = std::min(end * kBlocks, surface_.filter.block_count());
             decide_blocks(surface_, search_.viewpoint, query, first * kBlocks, end_block - first * kBlocks, scratch_);
             for (std::uint32_t cluster = first; cluster < end; ++cluster) {
-                scratch_.masks[cluster] =
-                    mask_of(scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces);
+                scratch_.masks[cluster] = mask_of(scratch_.facing.data() + std::size_t{cluster} * FaceClusters::kFaces);
             }
             scratch_.counters.faces_tested += std::uint64_t{end - first} * FaceClusters::kFaces;
         }

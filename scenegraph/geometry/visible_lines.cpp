@@ -20,9 +20,9 @@
 namespace hw {
 namespace {
 
-constexpr double kShortestPx = 1e-4;      // two cuts closer than this are one
-constexpr double kContourSlack = 1e-6;    // a contour this little behind a line still cuts it
-constexpr double kEndSlack = 1e-7;        // a contour that ends this close to a line still cuts it
+constexpr double kShortestPx = 1e-4;    // two cuts closer than this are one
+constexpr double kContourSlack = 1e-6;  // a contour this little behind a line still cuts it
+constexpr double kEndSlack = 1e-7;      // a contour that ends this close to a line still cuts it
 constexpr std::size_t kLinesPerTask = 32;
 
 /// A line in the picture: the part of it that the picture shows.
@@ -170,7 +170,8 @@ class HiddenLines {
         piece.to_depth = to.z;
     }
 
-    void cut_by_contours(const ImageLine& line, const ImageBounds& bounds, float farthest, std::vector<double>& cuts) const
+    void cut_by_contours(const ImageLine& line, const ImageBounds& bounds, float farthest,
+                         std::vector<double>& cuts) const
     {
         contour_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
             for (const std::uint32_t item : contour_grid_.items(cell)) {

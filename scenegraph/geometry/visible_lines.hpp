@@ -13,8 +13,8 @@
 
 namespace hw {
 
-/// The camera of a line drawing, world space. Up is +y; a camera that looks straight up has +z at the top, one that looks
-/// straight down -z.
+/// The camera of a line drawing, world space. Up is +y; a camera that looks straight up has +z at the top, one that
+/// looks straight down -z.
 struct LineCamera {
     glm::dvec3 eye_world{0.0};
     glm::dvec3 target_world{0.0, 0.0, -1.0};  ///< Not the eye.
@@ -28,11 +28,11 @@ struct LineObject {
     const Surface* surface = nullptr;
     glm::dmat4 world_from_object{1.0};
     float crease_rad = 0.7f;
-    const Seams* seams = nullptr;  ///< Lines that are left out, or null.
-    bool is_drawn = true;          ///< False: it only hides others.
-    bool hides = true;             ///< False: it is seen through.
+    const Seams* seams = nullptr;    ///< Lines that are left out, or null.
+    bool is_drawn = true;            ///< False: it only hides others.
+    bool hides = true;               ///< False: it is seen through.
     bool with_intersections = true;  ///< Where it goes through others, it has lines.
-    bool is_culled = false;        ///< Faces that look away are not there: they hide nothing and carry no lines.
+    bool is_culled = false;          ///< Faces that look away are not there: they hide nothing and carry no lines.
 };
 
 /// In the order of hw::LineClass of the styles.
@@ -50,8 +50,8 @@ struct VisibleLineOptions {
     bool with_hidden = false;  ///< The hidden parts too, as lines of their own.
     bool with_creases = true;  ///< Ridges and valleys.
     bool with_artist = true;   ///< The artist's edges.
-    /// Where objects go through each other: find_intersections() of the same objects, or none. A line belongs to the first
-    /// of its two objects that shows such lines.
+    /// Where objects go through each other: find_intersections() of the same objects, or none. A line belongs to the
+    /// first of its two objects that shows such lines.
     std::span<const IntersectionLine> intersections;
 };
 
@@ -60,7 +60,7 @@ struct VisibleLine {
     std::uint32_t object = 0;  ///< Index into the objects given.
     VisibleLineClass line_class = VisibleLineClass::silhouette;
     bool is_visible = true;
-    bool is_closed = false;             ///< The last point is joined to the first, which is not repeated.
+    bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
     std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
     std::vector<double> inverse_depths;  ///< Of each point: 1 / distance from the plane of the eye, 1 / m.
 };

@@ -35,7 +35,18 @@ class GpuBuffer {
 };
 
 /// Where the vertex shader's inputs stand, in every program (see position.glsl, surface.vert, line.vert).
-enum class VertexInput : std::uint8_t { position, normal, tangent, uv0, uv1, colour, other, lightmap_uv, hatch, direction };
+enum class VertexInput : std::uint8_t {
+    position,
+    normal,
+    tangent,
+    uv0,
+    uv1,
+    colour,
+    other,
+    lightmap_uv,
+    hatch,
+    direction
+};
 inline constexpr int kVertexInputCount = 10;
 
 /// One input's place in a buffer of floats.

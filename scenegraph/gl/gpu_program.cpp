@@ -13,8 +13,8 @@ namespace hw {
 namespace {
 
 constexpr std::array<const char*, kVertexInputCount> kInputNames = {
-    "hw_in_position", "hw_in_normal", "hw_in_tangent", "hw_in_uv0",
-    "hw_in_uv1",      "hw_in_colour", "hw_in_other",   "hw_in_lightmap_uv", "hw_in_hatch", "hw_in_direction"};
+    "hw_in_position", "hw_in_normal", "hw_in_tangent",     "hw_in_uv0",   "hw_in_uv1",
+    "hw_in_colour",   "hw_in_other",  "hw_in_lightmap_uv", "hw_in_hatch", "hw_in_direction"};
 
 class Shader {
  public:

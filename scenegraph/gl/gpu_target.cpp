@@ -64,7 +64,8 @@ void GpuTarget::attach_textures()
         depth_ = GpuTexture({.format = TextureFormat::depth24, .size_px = desc_.size_px, .filter = FilterMode::linear});
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     } else if (desc_.has_depth_texture) {
-        depth_ = GpuTexture({.format = TextureFormat::depth24_stencil8, .size_px = desc_.size_px, .filter = FilterMode::nearest});
+        depth_ = GpuTexture(
+            {.format = TextureFormat::depth24_stencil8, .size_px = desc_.size_px, .filter = FilterMode::nearest});
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     } else if (desc_.has_depth) {
         add_renderbuffer(renderbuffers_, desc_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
@@ -76,8 +77,7 @@ void GpuTarget::attach_multisampled()
     for (std::size_t i = 0; i < desc_.colours.size(); ++i)
         add_renderbuffer(renderbuffers_, desc_, format_constants(desc_.colours[i]).internal_format,
                          GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-    if (desc_.has_depth)
-        add_renderbuffer(renderbuffers_, desc_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
+    if (desc_.has_depth) add_renderbuffer(renderbuffers_, desc_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
 }
 
 GpuTarget::~GpuTarget()

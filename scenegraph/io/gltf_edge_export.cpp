@@ -43,8 +43,8 @@ EdgeValues edge_values(const Surface& surface, float crease_rad, EdgeExport& cou
     return values;
 }
 
-/// The corner of a face that stands for a vertex of its triangle: the surface may have turned the face over, and stitching
-/// may have moved it a little.
+/// The corner of a face that stands for a vertex of its triangle: the surface may have turned the face over, and
+/// stitching may have moved it a little.
 std::uint32_t position_of(const Surface& surface, std::uint32_t face, const glm::vec3& vertex)
 {
     const auto& corners = surface.faces[face];
@@ -166,8 +166,7 @@ class EdgeWriter {
         const std::vector<std::uint8_t> bits =
             visibility_bits(*mesh, surface, edge_values(surface, crease_rad, counts_));
         const std::size_t view = json_["bufferViews"].size(), accessor = json_["accessors"].size();
-        json_["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bits.size()}});
+        json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bits.size()}});
         json_["accessors"].push_back(
             {{"bufferView", view}, {"componentType", kUnsignedByte}, {"count", bits.size()}, {"type", "SCALAR"}});
         primitive["extensions"][kExtension] = {{"visibility", accessor}};

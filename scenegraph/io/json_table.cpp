@@ -37,7 +37,8 @@ JsonTable read_json_table(const std::filesystem::path& file)
     parse_json(text, file.string(), JsonComments::refused);  // refuses what is no JSON, or nested too deep to copy
     const ordered_json json = ordered_json::parse(text);
     if (!json.is_object() || !json.contains("rows") || !json["rows"].is_array())
-        throw Error({.what = "is no measured result", .file = file.string(), .expected = "an object with a list \"rows\""});
+        throw Error(
+            {.what = "is no measured result", .file = file.string(), .expected = "an object with a list \"rows\""});
     JsonTable table;
     for (const auto& [key, value] : json.items())
         if (!value.is_structured()) add_cells(ordered_json{{key, value}}, "", table.facts, nullptr);

@@ -75,8 +75,7 @@ class MapDescription {
     {
         const auto found = values_.find(name);
         if (found == values_.end())
-            throw Error(
-                {.what = fmt::format("the key \"{}\" is missing", name), .file = file_, .expected = expected});
+            throw Error({.what = fmt::format("the key \"{}\" is missing", name), .file = file_, .expected = expected});
         return *found;
     }
     [[noreturn]] void refuse(const char* name, const std::string& expected, const json& value) const

@@ -18,8 +18,8 @@ struct PortalFile {
 };
 
 /// Reads a portal file. The winding of a portal runs counter-clockwise seen from its second leaf. Throws hw::Error with
-/// the line for a count, number or leaf that is out of range, a portal from a leaf to itself or of one point, and for text
-/// that ends early or goes on.
+/// the line for a count, number or leaf that is out of range, a portal from a leaf to itself or of one point, and for
+/// text that ends early or goes on.
 PortalFile read_portal_file(const std::filesystem::path& file);
 
 /// The same from text, as if it stood in `file`.

@@ -63,8 +63,8 @@ class ClassNames {
     }
 
  private:
-    std::set<std::string> taken_{"object", "hidden", "silhouette", "ridge", "valley", "border", "artist",
-                                 "intersection"};
+    std::set<std::string> taken_{"object", "hidden", "silhouette", "ridge",
+                                 "valley", "border", "artist",     "intersection"};
 };
 
 std::string path_text(const std::vector<glm::dvec2>& points, bool is_closed)
@@ -90,15 +90,15 @@ void append_group(std::string& text, const VectorGroup& group, const std::string
     }
     if (strokes.empty()) return;
     std::stable_sort(strokes.begin(), strokes.end(), [](const Stroke& a, const Stroke& b) {
-        return std::lexicographical_compare(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
-                                            [](const auto& p, const auto& q) {
-                                                return p.y != q.y ? p.y < q.y : p.x < q.x;
-                                            });
+        return std::lexicographical_compare(
+            a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+            [](const auto& p, const auto& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; });
     });
     const std::string kind = group.line_type + (group.is_hidden ? " hidden" : "");
-    text += fmt::format("    <g class=\"{} {}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\" stroke=\"{}\" "
-                        "stroke-width=\"{}\"",
-                        object_class, kind, kind, colour_text(group.colour_srgb), number_text(group.width_px));
+    text += fmt::format(
+        "    <g class=\"{} {}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\" stroke=\"{}\" "
+        "stroke-width=\"{}\"",
+        object_class, kind, kind, colour_text(group.colour_srgb), number_text(group.width_px));
     if (group.opacity < 0.995) text += fmt::format(" stroke-opacity=\"{}\"", number_text(group.opacity));
     if (group.is_hidden)
         text += fmt::format(" stroke-dasharray=\"{} {}\"", number_text(3.0 * group.width_px),

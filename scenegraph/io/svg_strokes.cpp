@@ -25,7 +25,8 @@ class NumberText {
 
     void skip_separators()
     {
-        while (!text_.empty() && (std::isspace(static_cast<unsigned char>(text_[0])) || text_[0] == ',')) text_.remove_prefix(1);
+        while (!text_.empty() && (std::isspace(static_cast<unsigned char>(text_[0])) || text_[0] == ','))
+            text_.remove_prefix(1);
     }
     bool is_at_end()
     {
@@ -69,8 +70,9 @@ std::optional<std::string_view> attribute(std::string_view tag, std::string_view
 {
     for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
         const std::size_t after = at + name.size();
-        const bool is_name = at > 0 && std::isspace(static_cast<unsigned char>(tag[at - 1])) && after + 1 < tag.size() &&
-                             tag[after] == '=' && (tag[after + 1] == '"' || tag[after + 1] == '\'');
+        const bool is_name = at > 0 && std::isspace(static_cast<unsigned char>(tag[at - 1])) &&
+                             after + 1 < tag.size() && tag[after] == '=' &&
+                             (tag[after + 1] == '"' || tag[after + 1] == '\'');
         if (!is_name) continue;
         const std::size_t end = tag.find(tag[after + 1], after + 2);
         if (end != std::string_view::npos) return tag.substr(after + 2, end - after - 2);
@@ -112,10 +114,18 @@ class PathReader {
                 at_ = start_ = text_.point(origin);
                 strokes_.push_back({at_});
                 break;
-            case 'L': line_to(text_.point(origin)); break;
-            case 'H': line_to({origin.x + text_.number(), at_.y}); break;
-            case 'V': line_to({at_.x, origin.y + text_.number()}); break;
-            case 'Z': line_to(start_); break;
+            case 'L':
+                line_to(text_.point(origin));
+                break;
+            case 'H':
+                line_to({origin.x + text_.number(), at_.y});
+                break;
+            case 'V':
+                line_to({at_.x, origin.y + text_.number()});
+                break;
+            case 'Z':
+                line_to(start_);
+                break;
             case 'C': {
                 const glm::dvec2 first = text_.point(origin);
                 handle = text_.point(origin);
@@ -136,7 +146,8 @@ class PathReader {
                 break;
             }
             default:
-                throw Error({.what = std::string("the path has the command '") + command + "'", .file = file_,
+                throw Error({.what = std::string("the path has the command '") + command + "'",
+                             .file = file_,
                              .expected = "one of M L H V C S Q Z, in upper or lower case"});
         }
         const bool is_curve = kind == 'C' || kind == 'S' || kind == 'Q';
@@ -205,7 +216,8 @@ void add_strokes(SvgDrawing& drawing, std::string_view name, std::string_view ta
     for (std::vector<glm::dvec2>& points : strokes_of(name, tag, file)) {
         if (points.empty()) continue;
         if (drawing.strokes.size() == kMaxStrokes)
-            throw Error({.what = "the drawing has too many strokes", .file = file,
+            throw Error({.what = "the drawing has too many strokes",
+                         .file = file,
                          .expected = "at most " + std::to_string(kMaxStrokes)});
         for (glm::dvec2& point : points) point = (point - frame.origin) / frame.size.x;
         const double width = number_of(tag, "stroke-width", 1.0, file);
@@ -239,7 +251,8 @@ SvgDrawing parse_svg_strokes(const std::string& text, const std::string& file)
     }
     if (frame.size.x <= 0.0) throw Error({.what = "the file is no SVG drawing", .file = file});
     if (drawing.strokes.empty())
-        throw Error({.what = "the drawing has no strokes", .file = file, .expected = "path, line, polyline or polygon"});
+        throw Error(
+            {.what = "the drawing has no strokes", .file = file, .expected = "path, line, polyline or polygon"});
     drawing.height_share = frame.size.y / frame.size.x;
     return drawing;
 }

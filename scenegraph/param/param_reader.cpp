@@ -20,7 +20,9 @@ std::string printed(const ParamValue& value)
 
 }  // namespace
 
-ParamReader::ParamReader(const ParamSettings& settings, std::string file) : settings_(settings), file_(std::move(file)) {}
+ParamReader::ParamReader(const ParamSettings& settings, std::string file) : settings_(settings), file_(std::move(file))
+{
+}
 
 const ParamSetting* ParamReader::find(const ParamInfo& info)
 {

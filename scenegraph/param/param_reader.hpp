@@ -8,8 +8,8 @@
 
 namespace hw {
 
-/// Writes stated values into visited parameters. An unknown name, wrong type or value out of range throws hw::Error with
-/// the file, the pointer, what was found and what is allowed.
+/// Writes stated values into visited parameters. An unknown name, wrong type or value out of range throws hw::Error
+/// with the file, the pointer, what was found and what is allowed.
 class ParamReader final : public ParamVisitor {
  public:
     /// `file` is named in messages. `settings` must outlive the reader.

@@ -29,8 +29,8 @@ struct MapName {
     bool operator==(const MapName&) const = default;
 };
 
-/// Visits a list of parameters, each with its range, unit, help and present value. The level reader, the editor's panel,
-/// the JSON schema and the manual are visitors over this one list.
+/// Visits a list of parameters, each with its range, unit, help and present value. The level reader, the editor's
+/// panel, the JSON schema and the manual are visitors over this one list.
 class ParamVisitor {
  public:
     virtual ~ParamVisitor() = default;

@@ -9,9 +9,15 @@
 
 namespace hw {
 
-void PlainStyle::prepare(ProgramCache& programs) { program_ = programs.surface("plain.frag"); }
+void PlainStyle::prepare(ProgramCache& programs)
+{
+    program_ = programs.surface("plain.frag");
+}
 
-void PlainStyle::surfaces(Pass& pass, Layer, std::span<const DrawItem> items) { pass.surfaces(program_, {}, items); }
+void PlainStyle::surfaces(Pass& pass, Layer, std::span<const DrawItem> items)
+{
+    pass.surfaces(program_, {}, items);
+}
 
 GuardedStyle::GuardedStyle(std::string name, std::unique_ptr<Style> style, Style& fallback)
     : name_(std::move(name)), fallback_(fallback)

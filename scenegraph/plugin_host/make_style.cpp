@@ -54,8 +54,7 @@ class MapCollector final : public ParamVisitor {
 std::unique_ptr<Style> style_of(const PluginRegistry& registry, const Level& level, const StyleDesc& style)
 {
     const std::string file = level.file.string();
-    const Plugin& plugin =
-        require_plugin(registry, style.plugin, PluginKind::style, {file, style.pointer + "/plugin"});
+    const Plugin& plugin = require_plugin(registry, style.plugin, PluginKind::style, {file, style.pointer + "/plugin"});
     return make_style(plugin, style.params, {file, style.pointer});
 }
 
@@ -84,8 +83,7 @@ std::unique_ptr<Style> make_style(const Plugin& plugin, const ParamSettings& par
     return with_params<Style>(plugin, plugin.entry->make_style, params, source);
 }
 
-std::unique_ptr<ImagePass> make_image_pass(const Plugin& plugin, const ParamSettings& params,
-                                           const StyleSource& source)
+std::unique_ptr<ImagePass> make_image_pass(const Plugin& plugin, const ParamSettings& params, const StyleSource& source)
 {
     return with_params<ImagePass>(plugin, plugin.entry->make_image_pass, params, source);
 }

@@ -23,8 +23,8 @@ struct StyleSource {
 const Plugin& require_plugin(const PluginRegistry& registry, const std::string& name, PluginKind kind,
                              const StyleSource& source);
 
-/// A fresh instance with its parameters set, not yet prepared. Throws hw::Error for an unknown parameter, a wrong type or
-/// a value out of range, and when the plugin itself throws.
+/// A fresh instance with its parameters set, not yet prepared. Throws hw::Error for an unknown parameter, a wrong type
+/// or a value out of range, and when the plugin itself throws.
 std::unique_ptr<Style> make_style(const Plugin& plugin, const ParamSettings& params, const StyleSource& source);
 std::unique_ptr<ImagePass> make_image_pass(const Plugin& plugin, const ParamSettings& params,
                                            const StyleSource& source);

@@ -48,8 +48,8 @@ void refuse_bad_name(const std::string& name)
 {
     const bool starts_with_letter = !name.empty() && name[0] >= 'a' && name[0] <= 'z';
     if (is_plugin_name(name) && starts_with_letter) return;
-    throw Error({.what = fmt::format("the style's name is \"{}\"", name),
-                 .expected = "a-z, 0-9 and _, with a letter first"});
+    throw Error(
+        {.what = fmt::format("the style's name is \"{}\"", name), .expected = "a-z, 0-9 and _, with a letter first"});
 }
 
 }  // namespace
@@ -59,7 +59,8 @@ std::vector<fs::path> write_new_style(const std::string& name, const fs::path& p
     refuse_bad_name(name);
     const fs::path folder = parent / name;
     std::error_code failed;
-    if (fs::exists(folder, failed)) throw Error({.what = "there is already something of that name", .file = folder.string()});
+    if (fs::exists(folder, failed))
+        throw Error({.what = "there is already something of that name", .file = folder.string()});
 
     const fs::path templates = installation_prefix() / "share" / "hatchway" / "new_style";
     std::vector<std::pair<fs::path, std::string>> files;

@@ -27,18 +27,20 @@ struct RefusedPlugin {
     std::string why;
 };
 
-/// Where plugins come from. Never from a folder that a level names: plugins are native code, levels come from strangers.
+/// Where plugins come from. Never from a folder that a level names: plugins are native code, levels come from
+/// strangers.
 struct PluginPlaces {
-    bool has_installed = true;                       ///< PREFIX/lib/hatchway/plugins of the running program.
-    std::vector<std::filesystem::path> folders;      ///< Of --plugin-dir: NAME.so with its shaders in NAME/.
-    std::span<const PluginFunction> compiled_in;     ///< static_plugins(), or none.
+    bool has_installed = true;                    ///< PREFIX/lib/hatchway/plugins of the running program.
+    std::vector<std::filesystem::path> folders;   ///< Of --plugin-dir: NAME.so with its shaders in NAME/.
+    std::span<const PluginFunction> compiled_in;  ///< static_plugins(), or none.
 };
 
-/// The plugins of this process. A later place wins over an earlier one: compiled in, installed, then `folders` in order.
+/// The plugins of this process. A later place wins over an earlier one: compiled in, installed, then `folders` in
+/// order.
 class PluginRegistry {
  public:
-    /// Loads every library of the places. One that cannot be used is put aside with the reason, and logged as a warning.
-    /// Throws hw::Error when a folder of `folders` does not exist.
+    /// Loads every library of the places. One that cannot be used is put aside with the reason, and logged as a
+    /// warning. Throws hw::Error when a folder of `folders` does not exist.
     explicit PluginRegistry(const PluginPlaces& places = {});
 
     /// Sorted by name.

@@ -52,8 +52,8 @@ std::vector<StyleSet::Change> StyleSet::changes_of_level()
     std::vector<Change> changes;
     for (std::size_t i = 0; i < instances_.size(); ++i) {
         const Instance& instance = instances_[i];
-        const bool is_gone = !level_styles_.contains(instance.name) &&
-                             !registry_.find(instance.name, PluginKind::style);
+        const bool is_gone =
+            !level_styles_.contains(instance.name) && !registry_.find(instance.name, PluginKind::style);
         if (is_gone) continue;  // no object can name it any more; its place stays
         Wanted now = wanted(instance.name, "");
         if (now.plugin == instance.wanted.plugin && same_values(now.params, instance.wanted.params)) continue;

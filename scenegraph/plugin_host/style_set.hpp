@@ -21,9 +21,9 @@ class StyleSet {
     /// `registry` must outlive this. Throws hw::Error when the shared shaders do not compile.
     StyleSet(const PluginRegistry& registry, ProgramSource programs);
 
-    /// Takes the named styles of a level. Instances in use whose plugin or parameters changed are made and prepared anew.
-    /// Throws hw::Error for the first style that is wrong, used or not; everything then stays as it was. Needs may have
-    /// changed: tell the renderer by set_looks().
+    /// Takes the named styles of a level. Instances in use whose plugin or parameters changed are made and prepared
+    /// anew. Throws hw::Error for the first style that is wrong, used or not; everything then stays as it was. Needs
+    /// may have changed: tell the renderer by set_looks().
     void set_level(const Level& level);
 
     /// The index into styles() of a style of the level, or of a plugin with its defaults. Prepares it on first use.
@@ -43,7 +43,8 @@ class StyleSet {
     /// Why styles stopped drawing, one message for each that did.
     std::vector<std::string> failures() const;
 
-    /// For SceneInput::image_passes. A pass that is missing or fails is logged and gives null. Valid as long as the set.
+    /// For SceneInput::image_passes. A pass that is missing or fails is logged and gives null. Valid as long as the
+    /// set.
     ImagePassSource image_passes();
 
  private:

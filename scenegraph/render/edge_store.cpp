@@ -55,8 +55,7 @@ void EdgeStore::find_lines(std::span<const EdgeUse> uses)
     }
     const std::vector<Seams> seams = find_seams(together, {.crease_rad = crease_rad});
     const Intersections intersections = find_object_intersections(uses, ids);
-    for (std::size_t i = 0; i < ids.size(); ++i)
-        assign_lines(ids[i], uses[ids[i]], {&seams[i], intersections[i]});
+    for (std::size_t i = 0; i < ids.size(); ++i) assign_lines(ids[i], uses[ids[i]], {&seams[i], intersections[i]});
 }
 
 EdgeStore::Intersections EdgeStore::find_object_intersections(std::span<const EdgeUse> uses,
@@ -99,8 +98,8 @@ void EdgeStore::assign_lines(ObjectId object, const EdgeUse& use, const LineExtr
         return;
     }
     ++line_meshes_built_;
-    edges.lines = &(shared_lines_[key] =
-                        build_line_mesh(*edges.surface, use.crease_rad, {}, key_of(object).is_solid, indices_));
+    edges.lines =
+        &(shared_lines_[key] = build_line_mesh(*edges.surface, use.crease_rad, {}, key_of(object).is_solid, indices_));
 }
 
 const Surface* EdgeStore::surface(ObjectId object) const

@@ -59,8 +59,8 @@ class GpuScene {
     const GpuMesh& mesh(int index) const { return meshes_[index]; }
     const GpuMaterial& material(int index) const { return materials_[index]; }
     const GpuMesh& mesh_of(ObjectId object) const { return meshes_[scene_.objects[object].mesh]; }
-    /// The object's mesh with `streams`, made when it is not there yet: vertices then stand once for each chart, triangles
-    /// in the same order.
+    /// The object's mesh with `streams`, made when it is not there yet: vertices then stand once for each chart,
+    /// triangles in the same order.
     StreamMesh mesh_of(ObjectId object, const Streams& streams);
     int hatch_streams_built() const { return static_cast<int>(hatch_meshes_.size()); }
     const GpuMaterial& material_of(ObjectId object) const { return materials_[scene_.objects[object].material]; }

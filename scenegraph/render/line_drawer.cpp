@@ -125,9 +125,9 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
     GpuProgram::set(program.gpu->location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
     GpuProgram::set(program.gpu->location("hw_line_fold"), glm::vec3(look.fold_weight, look.crease_rad, kWholeFold));
     const StrokeCharacter& stroke = look.stroke;
-    GpuProgram::set(program.gpu->location("hw_stroke_px"),
-                    frame.view->px_scale *
-                        glm::vec4(stroke.wobble_px, stroke.bend_px, stroke.overshoot_px, stroke.taper_px));
+    GpuProgram::set(
+        program.gpu->location("hw_stroke_px"),
+        frame.view->px_scale * glm::vec4(stroke.wobble_px, stroke.bend_px, stroke.overshoot_px, stroke.taper_px));
     GpuProgram::set(program.gpu->location("hw_stroke_dash"),
                     glm::vec2(stroke.dash_px * frame.view->px_scale, stroke.dash_share));
 }

@@ -49,9 +49,8 @@ class StrokeSearch {
         };
         std::vector<std::uint32_t> order(next_.size());
         std::iota(order.begin(), order.end(), 0u);
-        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return key(a) != key(b) ? key(a) < key(b) : a < b;
-        });
+        std::sort(order.begin(), order.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
         for (std::size_t first = 0; first < order.size();) {
             std::size_t end = first + 1;
             while (end < order.size() && key(order[end]) == key(order[first])) ++end;

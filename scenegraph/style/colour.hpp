@@ -5,7 +5,8 @@
 
 namespace hw {
 
-/// An sRGB colour, as parameters hold it, in linear light, as shaders reckon. Cheaper here, once, than for each fragment.
+/// An sRGB colour, as parameters hold it, in linear light, as shaders reckon. Cheaper here, once, than for each
+/// fragment.
 inline glm::vec3 linear_colour(const glm::vec3& srgb)
 {
     const auto linear = [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };

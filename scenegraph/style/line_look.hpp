@@ -18,15 +18,16 @@ struct FarPolicy {
 };
 
 /// How a hand departs from a ruler; all zero: ruled lines. Lengths are logical pixels. Creases, borders, artist's edges
-/// and intersections go by the length along the stroke on the object and a seed of the place where it begins; silhouettes
-/// by noise in the object's space, and they are never dashed, tapered or overshot: nothing boils when the eye moves.
+/// and intersections go by the length along the stroke on the object and a seed of the place where it begins;
+/// silhouettes by noise in the object's space, and they are never dashed, tapered or overshot: nothing boils when the
+/// eye moves.
 struct StrokeCharacter {
-    float wobble_px = 0.0f;        ///< How far a stroke strays sideways.
-    float bend_px = 40.0f;         ///< From one bend to the next, about.
-    float overshoot_px = 0.0f;     ///< How far a stroke runs on beyond its ends, at most.
-    float taper_px = 0.0f;         ///< Over which a stroke's ends grow thin.
-    float dash_px = 0.0f;          ///< A dash with its gap, about; 0: unbroken.
-    float dash_share = 0.6f;       ///< Of the dash in that, in (0, 1].
+    float wobble_px = 0.0f;     ///< How far a stroke strays sideways.
+    float bend_px = 40.0f;      ///< From one bend to the next, about.
+    float overshoot_px = 0.0f;  ///< How far a stroke runs on beyond its ends, at most.
+    float taper_px = 0.0f;      ///< Over which a stroke's ends grow thin.
+    float dash_px = 0.0f;       ///< A dash with its gap, about; 0: unbroken.
+    float dash_share = 0.6f;    ///< Of the dash in that, in (0, 1].
 
     bool is_ruled() const { return wobble_px == 0.0f && overshoot_px == 0.0f && taper_px == 0.0f && dash_px == 0.0f; }
 };
@@ -36,10 +37,11 @@ struct LineLook {
     std::array<float, kLineClassCount> width_px{1.5f, 1.2f, 1.2f, 1.5f, 1.2f, 1.2f};
     std::array<glm::vec3, kLineClassCount> colour{};  ///< sRGB
     std::array<bool, kLineClassCount> is_drawn{true, true, true, true, true, true};
-    float crease_rad = 0.7f;      ///< Must not exceed EdgeNeed's: the prefix of the edge table that is drawn.
-    float depth_taper = 0.0f;     ///< 0: constant width; 1: width falls as 1 / distance beyond `taper_from_m`.
+    float crease_rad = 0.7f;   ///< Must not exceed EdgeNeed's: the prefix of the edge table that is drawn.
+    float depth_taper = 0.0f;  ///< 0: constant width; 1: width falls as 1 / distance beyond `taper_from_m`.
     float taper_from_m = 10.0f;
-    float fold_weight = 0.0f;     ///< 1: creases grow from a quarter of their width, just folded enough, to all at a right angle.
+    float fold_weight =
+        0.0f;  ///< 1: creases grow from a quarter of their width, just folded enough, to all at a right angle.
     StrokeCharacter stroke;
     FarPolicy far;
 };

@@ -21,16 +21,16 @@ struct EdgeNeed {
 /// Extra vertex streams. Made once for each mesh and source, on need.
 struct Streams {
     bool tangent = false;
-    bool hatch_uv = false;    ///< Coordinates that strokes follow, from `hatch_source`.
-    bool direction = false;   ///< Where u of `hatch_source` rises; of source model the direction of strongest curvature.
+    bool hatch_uv = false;   ///< Coordinates that strokes follow, from `hatch_source`.
+    bool direction = false;  ///< Where u of `hatch_source` rises; of source model the direction of strongest curvature.
     bool arc_length = false;  ///< Along lines, object space, metres.
     HatchSource hatch_source = HatchSource::model;
 };
 
 enum class ShadowNeed : unsigned char { none, main_light };
 
-/// Names one full-screen image: the image pass that makes it and the parameters it is made with. Equal keys are made once
-/// a frame. "normal_depth", "object_ids" and "triangle_ids" are made by the engine itself.
+/// Names one full-screen image: the image pass that makes it and the parameters it is made with. Equal keys are made
+/// once a frame. "normal_depth", "object_ids" and "triangle_ids" are made by the engine itself.
 struct ImageKey {
     std::string pass;
     std::map<std::string, ParamValue> params;

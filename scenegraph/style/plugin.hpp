@@ -12,8 +12,9 @@ inline constexpr std::uint32_t kStyleApiVersion = 1;
 
 enum class PluginKind : std::uint32_t { style, image_pass };
 
-/// What a plugin library exports, by the C function `hw_plugin`. The host reads `api_version` first and nothing else when
-/// it differs; then it refuses another compiler, GLM or build type, since those change the layout of what is passed.
+/// What a plugin library exports, by the C function `hw_plugin`. The host reads `api_version` first and nothing else
+/// when it differs; then it refuses another compiler, GLM or build type, since those change the layout of what is
+/// passed.
 struct PluginEntry {
     std::uint32_t api_version;
     PluginKind kind;
@@ -30,22 +31,30 @@ using PluginFunction = const PluginEntry* (*)();
 
 #include "style/plugin_build.hpp"
 
-/// Defines a plugin: HW_STYLE(pen_and_ink, "Paper, ink lines and hatching", PenAndInk). Once in a library, outside of any
-/// namespace. add_npr_plugin() gives HW_PLUGIN_SYMBOL.
-#define HW_STYLE(plugin_name, plugin_summary, Type)                                                        \
-    extern "C" HW_PLUGIN_EXPORT const ::hw::PluginEntry* HW_PLUGIN_SYMBOL()                                \
-    {                                                                                                      \
-        static const ::hw::PluginEntry entry{::hw::kStyleApiVersion, ::hw::PluginKind::style, #plugin_name, \
-                                             plugin_summary, HW_PLUGIN_BUILD,                              \
-                                             []() -> ::hw::Style* { return new Type; }, nullptr};          \
-        return &entry;                                                                                     \
+/// Defines a plugin: HW_STYLE(pen_and_ink, "Paper, ink lines and hatching", PenAndInk). Once in a library, outside of
+/// any namespace. add_npr_plugin() gives HW_PLUGIN_SYMBOL.
+#define HW_STYLE(plugin_name, plugin_summary, Type)                                     \
+    extern "C" HW_PLUGIN_EXPORT const ::hw::PluginEntry* HW_PLUGIN_SYMBOL()             \
+    {                                                                                   \
+        static const ::hw::PluginEntry entry{::hw::kStyleApiVersion,                    \
+                                             ::hw::PluginKind::style,                   \
+                                             #plugin_name,                              \
+                                             plugin_summary,                            \
+                                             HW_PLUGIN_BUILD,                           \
+                                             []() -> ::hw::Style* { return new Type; }, \
+                                             nullptr};                                  \
+        return &entry;                                                                  \
     }
 
-#define HW_IMAGE_PASS(plugin_name, plugin_summary, Type)                                                        \
-    extern "C" HW_PLUGIN_EXPORT const ::hw::PluginEntry* HW_PLUGIN_SYMBOL()                                     \
-    {                                                                                                           \
-        static const ::hw::PluginEntry entry{::hw::kStyleApiVersion, ::hw::PluginKind::image_pass, #plugin_name, \
-                                             plugin_summary, HW_PLUGIN_BUILD, nullptr,                          \
-                                             []() -> ::hw::ImagePass* { return new Type; }};                    \
-        return &entry;                                                                                          \
+#define HW_IMAGE_PASS(plugin_name, plugin_summary, Type)                                     \
+    extern "C" HW_PLUGIN_EXPORT const ::hw::PluginEntry* HW_PLUGIN_SYMBOL()                  \
+    {                                                                                        \
+        static const ::hw::PluginEntry entry{::hw::kStyleApiVersion,                         \
+                                             ::hw::PluginKind::image_pass,                   \
+                                             #plugin_name,                                   \
+                                             plugin_summary,                                 \
+                                             HW_PLUGIN_BUILD,                                \
+                                             nullptr,                                        \
+                                             []() -> ::hw::ImagePass* { return new Type; }}; \
+        return &entry;                                                                       \
     }

@@ -17,8 +17,8 @@ class ProgramCache {
  public:
     virtual ~ProgramCache() = default;
 
-    /// Draws objects' faces: the engine's vertex stage (surface.vert) and this fragment stage. `defines` is put before the
-    /// text, such as "#define TONE_SHADED 1\n".
+    /// Draws objects' faces: the engine's vertex stage (surface.vert) and this fragment stage. `defines` is put before
+    /// the text, such as "#define TONE_SHADED 1\n".
     virtual Program surface(std::string_view fragment_file, std::string_view defines = {}) = 0;
 
     /// A full-screen pass: the engine's vertex stage (full_screen.vert) and this fragment stage.

@@ -8,8 +8,8 @@
 
 namespace hw {
 
-/// Tells which files and folders changed since it last looked, by time stamp and size; symbolic links are followed. A file
-/// that is gone for a moment, as when an editor saves by renaming, counts as changed once it is back.
+/// Tells which files and folders changed since it last looked, by time stamp and size; symbolic links are followed. A
+/// file that is gone for a moment, as when an editor saves by renaming, counts as changed once it is back.
 class FileWatch {
  public:
     /// Looks at most once in this time.

@@ -32,8 +32,9 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 enum class BakedLight : unsigned char { unwanted, if_there };
 
 /// Imports the level's model and cuts its meshes into chunks; makes the visibility too when `visibility` is given, or
-/// takes it from `cache` when that is given, and takes the lightmap beside the level when it is wanted. One that was baked
-/// for another state of the level is left out, with a warning. The renderer points into the result, so it never moves.
+/// takes it from `cache` when that is given, and takes the lightmap beside the level when it is wanted. One that was
+/// baked for another state of the level is left out, with a warning. The renderer points into the result, so it never
+/// moves.
 std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
                                              BakedLight baked_light = BakedLight::unwanted,
                                              const CompiledCache* cache = nullptr);

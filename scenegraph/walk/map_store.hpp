@@ -15,8 +15,8 @@ namespace hw {
 /// The maps that a level uses, each read once. An index, once given, names the same map for good.
 class MapStore {
  public:
-    /// The index into maps() of a map that a level, or a style of it, names; reads it on first use. Throws hw::Error when
-    /// there is no such map, it is damaged, or it is of another kind; `pointer` says where the name stands.
+    /// The index into maps() of a map that a level, or a style of it, names; reads it on first use. Throws hw::Error
+    /// when there is no such map, it is damaged, or it is of another kind; `pointer` says where the name stands.
     int use(const Level& level, MapKind kind, const std::string& name, const std::string& pointer);
 
     /// For SceneInput::maps. The pointers stay; read_again() changes what they point at.

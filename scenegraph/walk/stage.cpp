@@ -32,9 +32,8 @@ Stage::Stage(Context& context, StageOptions options)
     : options_(std::move(options)),
       plugins_({.folders = options_.plugin_dirs}),
       renderer_(context),
-      styles_(plugins_, [this](const std::filesystem::path& folder) -> ProgramCache& {
-          return renderer_.program_cache(folder);
-      })
+      styles_(plugins_,
+              [this](const std::filesystem::path& folder) -> ProgramCache& { return renderer_.program_cache(folder); })
 {
     // Styles first: a wrong name in the level shows at once, not after the model has been loaded.
     Level level = read_level_with(options_.file, options_.style_overrides);

@@ -10,8 +10,8 @@
 #include "plugin_host/style_set.hpp"
 #include "render/renderer.hpp"
 #include "walk/file_watch.hpp"
-#include "walk/map_store.hpp"
 #include "walk/level_world.hpp"
+#include "walk/map_store.hpp"
 
 namespace hw {
 
@@ -30,11 +30,12 @@ struct StageOptions {
 /// What a reload changed.
 enum class Reload : unsigned char { nothing, looks, world };
 
-/// An opened level with its styles and maps in a renderer: everything that drawing needs. The context must be current in
-/// every call and outlive the stage.
+/// An opened level with its styles and maps in a renderer: everything that drawing needs. The context must be current
+/// in every call and outlive the stage.
 class Stage {
  public:
-    /// Opens the level. Throws hw::Error for anything wrong with the level, its model, styles, plugins, maps or shaders.
+    /// Opens the level. Throws hw::Error for anything wrong with the level, its model, styles, plugins, maps or
+    /// shaders.
     Stage(Context& context, StageOptions options);
     ~Stage();
 
@@ -74,8 +75,7 @@ class Stage {
     };
 
     std::shared_ptr<const LevelWorld> world_of(const Level& level) const;
-    Shown with_looks(Level level, std::shared_ptr<const LevelWorld> world,
-                     const std::vector<AssignRule>& extra_rules);
+    Shown with_looks(Level level, std::shared_ptr<const LevelWorld> world, const std::vector<AssignRule>& extra_rules);
     /// Reads every map that the level names, also where no object uses it, so that a wrong one is told with its place.
     void require_maps(const Level& level);
     std::map<std::string, int> named_maps();

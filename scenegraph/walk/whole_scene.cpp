@@ -1,7 +1,7 @@
 // The nearest place on a line of sight is a linear programme with a closed form. With x to the right, z ahead and t the
-// slope of the picture's side, a point is inside when |x - cx| <= t (z - cz). The two sides give cx - t cz >= max(x - t z)
-// and -cx - t cz >= max(-x - t z): their sum bounds cz, their difference is cx. The same holds for y. The direction that does
-// not bound cz has air to share, which a few steps then share evenly.
+// slope of the picture's side, a point is inside when |x - cx| <= t (z - cz). The two sides give cx - t cz >= max(x - t
+// z) and -cx - t cz >= max(-x - t z): their sum bounds cz, their difference is cx. The same holds for y. The direction
+// that does not bound cz has air to share, which a few steps then share evenly.
 #include "walk/whole_scene.hpp"
 
 #include <algorithm>
@@ -14,18 +14,17 @@ namespace hw {
 namespace {
 
 constexpr double kFovDeg = 40.0;
-constexpr double kMargin = 1.06;             // air around the scene
+constexpr double kMargin = 1.06;                   // air around the scene
 constexpr std::uint64_t kMaxVertices = 4'000'000;  // past that, boxes of objects are near enough
 constexpr int kCentringSteps = 8;
 constexpr double kTurnSeconds = 10.0;
-constexpr int kTurnKeys = 24;                // a Catmull-Rom curve through 24 places leaves the circle by under a hundredth %
+constexpr int kTurnKeys = 24;  // a Catmull-Rom curve through 24 places leaves the circle by under a hundredth %
 const glm::dvec3 kForward = -glm::normalize(glm::dvec3(0.5, 0.35, 0.8));
 
 /// The camera's axes and, for each side of the picture, how far points reach out: left, right, bottom, top.
 class Fit {
  public:
-    explicit Fit(double aspect)
-        : slope_y_(std::tan(glm::radians(kFovDeg) / 2.0) / kMargin), slope_x_(slope_y_ * aspect)
+    explicit Fit(double aspect) : slope_y_(std::tan(glm::radians(kFovDeg) / 2.0) / kMargin), slope_x_(slope_y_ * aspect)
     {
         reach_.fill(-std::numeric_limits<double>::infinity());
     }
@@ -95,7 +94,8 @@ glm::dvec3 centred(const Scene& scene, const Fit& fit)
         glm::dvec2 max(-min);
         for_each_point(scene, [&](const glm::dvec3& point) {
             const glm::dvec3 arm = point - eye;
-            const glm::dvec2 at = glm::dvec2(glm::dot(arm, fit.right()), glm::dot(arm, fit.up())) / glm::dot(arm, kForward);
+            const glm::dvec2 at =
+                glm::dvec2(glm::dot(arm, fit.right()), glm::dot(arm, fit.up())) / glm::dot(arm, kForward);
             min = glm::min(min, at);
             max = glm::max(max, at);
         });
@@ -107,7 +107,8 @@ glm::dvec3 centred(const Scene& scene, const Fit& fit)
     return eye;
 }
 
-/// Looks from `eye` along the line of sight, at the depth of the scene's middle. A scene of one point is seen from a metre.
+/// Looks from `eye` along the line of sight, at the depth of the scene's middle. A scene of one point is seen from a
+/// metre.
 CameraPlace looking(const glm::dvec3& eye, const Box& bounds)
 {
     const double depth = glm::dot(bounds.centre() - eye, kForward);

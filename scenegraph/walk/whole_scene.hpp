@@ -10,7 +10,8 @@ namespace hw {
 /// in the middle. `aspect` is the picture's width / height. An empty scene gives a camera that looks at the origin.
 CameraPlace whole_scene_camera(const Scene& scene, double aspect);
 
-/// A path once around the scene in 10 s, ending where it begins, always as far away as the widest view of the turn needs.
+/// A path once around the scene in 10 s, ending where it begins, always as far away as the widest view of the turn
+/// needs.
 CameraPath turntable(const Scene& scene, double aspect);
 
 }  // namespace hw

@@ -25,8 +25,8 @@ struct AssignRule {
     std::string nodes;      ///< Path glob, or "#12": a node by index; it reaches the node's children too. Empty: all.
     std::string materials;  ///< Glob over material names. Empty: all.
     std::optional<std::string> style;
-    std::optional<std::string> over;         ///< A second style drawn over the first with `presence`.
-    std::optional<PresenceField> presence;   ///< Of `over`; the first style keeps the rest.
+    std::optional<std::string> over;        ///< A second style drawn over the first with `presence`.
+    std::optional<PresenceField> presence;  ///< Of `over`; the first style keeps the rest.
     std::optional<double> certainty;
     std::map<std::string, std::string> maps;  ///< "hatch", "ink", "tonal" -> path relative to the level file.
     std::optional<bool> collides;
@@ -63,9 +63,9 @@ struct Level {
     std::filesystem::path project_root;  ///< No path of the level leaves this folder.
     std::filesystem::path scene_file;
     std::optional<StartPlace> start;
-    std::optional<double> exposure_ev;                 ///< Absent: chosen from the lights.
-    std::optional<glm::vec3> background;               ///< sRGB; absent: paper.
-    std::optional<std::vector<std::string>> structure; ///< Path globs; absent: chosen automatically.
+    std::optional<double> exposure_ev;                  ///< Absent: chosen from the lights.
+    std::optional<glm::vec3> background;                ///< sRGB; absent: paper.
+    std::optional<std::vector<std::string>> structure;  ///< Path globs; absent: chosen automatically.
     std::map<std::string, StyleDesc> styles;
     std::vector<AssignRule> assign;
     std::vector<CertaintyStyle> certainty_styles;
@@ -77,10 +77,10 @@ struct Level {
 
 /// What the rules say of one object once all have been applied.
 struct ObjectLook {
-    std::string style;                 ///< A style of the level, or a plugin's name. Never empty.
-    std::string style_pointer;         ///< Where it was said.
-    std::string over;                  ///< Empty: none.
-    PresenceField presence;            ///< Of `over`.
+    std::string style;          ///< A style of the level, or a plugin's name. Never empty.
+    std::string style_pointer;  ///< Where it was said.
+    std::string over;           ///< Empty: none.
+    PresenceField presence;     ///< Of `over`.
     double certainty = 1.0;
     std::map<std::string, std::string> maps;  ///< kind -> path relative to the level file.
     bool collides = true;

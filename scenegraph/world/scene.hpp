@@ -18,14 +18,14 @@ inline constexpr int kNone = -1;  ///< No node, mesh, material, texture or image
 
 /// A place in the tree of the model. Parents stand before their children.
 struct Node {
-    std::string name;              ///< As the model states it; may be empty, need not be unique.
-    std::string path;              ///< Names from the root joined by '/', unnamed nodes as "#index".
+    std::string name;  ///< As the model states it; may be empty, need not be unique.
+    std::string path;  ///< Names from the root joined by '/', unnamed nodes as "#index".
     int parent = kNone;
-    glm::dmat4 local{1.0};              ///< Parent from node.
+    glm::dmat4 local{1.0};  ///< Parent from node.
     glm::dmat4 world_from_node{1.0};
-    bool is_animated = false;           ///< It or a parent is moved by an animation of the model.
-    std::optional<std::string> style;   ///< glTF extras.hatchway.style
-    std::optional<float> certainty;     ///< glTF extras.hatchway.certainty, in [0, 1].
+    bool is_animated = false;          ///< It or a parent is moved by an animation of the model.
+    std::optional<std::string> style;  ///< glTF extras.hatchway.style
+    std::optional<float> certainty;    ///< glTF extras.hatchway.certainty, in [0, 1].
 };
 
 enum class TextureWrap : unsigned char { repeat, mirrored_repeat, clamp };
@@ -51,16 +51,16 @@ enum class AlphaMode : unsigned char { opaque, mask, blend };
 struct Material {
     std::string name;
     glm::vec4 base_colour{1.0f};
-    TextureUse base_colour_texture;         ///< sRGB
+    TextureUse base_colour_texture;  ///< sRGB
     float metallic = 1.0f;
     float roughness = 1.0f;
     TextureUse metallic_roughness_texture;  ///< Linear; roughness in G, metallic in B.
     TextureUse normal_texture;              ///< Linear, tangent space.
     float normal_scale = 1.0f;
-    TextureUse occlusion_texture;           ///< Linear, R.
+    TextureUse occlusion_texture;  ///< Linear, R.
     float occlusion_strength = 1.0f;
     glm::vec3 emissive{0.0f};
-    TextureUse emissive_texture;            ///< sRGB
+    TextureUse emissive_texture;  ///< sRGB
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool is_double_sided = false;
@@ -74,10 +74,10 @@ struct Light {
     std::string name;
     LightType type = LightType::point;
     glm::vec3 colour{1.0f};
-    float intensity = 1.0f;             ///< Lux for a sun, candela for point and spot lights.
+    float intensity = 1.0f;  ///< Lux for a sun, candela for point and spot lights.
     glm::dvec3 position_world{0.0};
     glm::dvec3 direction_world{0.0, -1.0, 0.0};  ///< Unit, from the light to what it lights.
-    float range_m = 0.0f;               ///< 0: unlimited.
+    float range_m = 0.0f;                        ///< 0: unlimited.
     float inner_cone_rad = 0.0f;
     float outer_cone_rad = 0.785398f;
 };

@@ -6,7 +6,10 @@
 
 namespace {
 
-std::string message(hw::ErrorParts parts) { return hw::Error(std::move(parts)).what(); }
+std::string message(hw::ErrorParts parts)
+{
+    return hw::Error(std::move(parts)).what();
+}
 
 }  // namespace
 
@@ -23,7 +26,10 @@ TEST(error, control_characters_of_names_are_written_out)
               "f\\n.json: /\\t: there is no \"a\\x00b\\nc\\x1b[31md\\x7f\\x9b\"; expected \\x0d");
 }
 
-TEST(error, letters_beyond_ascii_stay) { EXPECT_EQ(message({.what = "S\xc3\xa4ule \xc2\xa0"}), "S\xc3\xa4ule \xc2\xa0"); }
+TEST(error, letters_beyond_ascii_stay)
+{
+    EXPECT_EQ(message({.what = "S\xc3\xa4ule \xc2\xa0"}), "S\xc3\xa4ule \xc2\xa0");
+}
 
 TEST(error, long_names_are_shortened_in_the_middle)
 {

@@ -86,4 +86,17 @@ TEST_F(files, what_is_no_file_is_not_replaced)
     EXPECT_TRUE(fs::is_fifo(folder_ / "fifo"));
 }
 
-TEST_F(files, a_folder_that_is_missing_is_refused) { EXPECT_NE(refusal("missing/new"), ""); }
+TEST_F(files, a_folder_that_is_missing_is_refused)
+{
+    EXPECT_NE(refusal("missing/new"), "");
+}
+
+TEST_F(files, links_that_lead_nowhere_stay_unresolved)
+{
+    fs::create_symlink(folder_ / "none" / "yet", folder_ / "out");
+    fs::create_symlink("old", folder_ / "in");
+    const auto resolve = [&](const char* path) { return hw::resolve_inside(folder_, folder_, path, "level", "/scene"); };
+    EXPECT_EQ(resolve("in"), fs::canonical(folder_) / "old");
+    EXPECT_EQ(resolve("new/file"), fs::canonical(folder_) / "new/file");
+    for (const char* path : {"out", "out/file"}) EXPECT_THROW(resolve(path), hw::Error) << path;
+}

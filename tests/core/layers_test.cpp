@@ -104,12 +104,21 @@ std::set<std::string> style_headers()
     return seen;
 }
 
-bool is_header(const std::string& file) { return file.ends_with(".hpp") || file.ends_with(".h"); }
+bool is_header(const std::string& file)
+{
+    return file.ends_with(".hpp") || file.ends_with(".h");
+}
 
 /// The standard library and GLM: what every header may show.
-bool is_public_library(const std::string& name) { return name.find('.') == std::string::npos || name.starts_with("glm/"); }
+bool is_public_library(const std::string& name)
+{
+    return name.find('.') == std::string::npos || name.starts_with("glm/");
+}
 
-std::string first_folder(const std::string& path) { return path.substr(0, path.find('/')); }
+std::string first_folder(const std::string& path)
+{
+    return path.substr(0, path.find('/'));
+}
 
 /// Headers that show a third party, themselves or through another header: their own layer may include them, no other.
 std::set<std::string> private_headers(const std::vector<Include>& includes)
@@ -168,9 +177,15 @@ std::string objections_below(const std::vector<std::string>& folders)
 
 }  // namespace
 
-TEST(layers, no_file_of_the_engine_looks_upwards) { EXPECT_EQ(objections_below({"scenegraph"}), ""); }
+TEST(layers, no_file_of_the_engine_looks_upwards)
+{
+    EXPECT_EQ(objections_below({"scenegraph"}), "");
+}
 
-TEST(layers, styles_see_the_style_interface_only) { EXPECT_EQ(objections_below({"npr_plugins"}), ""); }
+TEST(layers, styles_see_the_style_interface_only)
+{
+    EXPECT_EQ(objections_below({"npr_plugins"}), "");
+}
 
 TEST(layers, tools_and_tests_leave_third_parties_in_their_places)
 {

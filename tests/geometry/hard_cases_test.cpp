@@ -306,6 +306,7 @@ TEST(hard_viewers, orthographic_views_parallel_to_faces_and_edges)
 
 TEST(hard_viewers, mixed_scales_in_one_mesh)
 {
-    const hw::MeshData mixed = joined({box({0, 0, 0}, {1e-6f, 1e-6f, 1e-6f}), box({-1e6f, -1e6f, -1e6f}, {-1, -1, -1})});
+    const hw::MeshData mixed =
+        joined({box({0, 0, 0}, {1e-6f, 1e-6f, 1e-6f}), box({-1e6f, -1e6f, -1e6f}, {-1, -1, -1})});
     EXPECT_EQ(wrong_edges_in_all_views(hw::build_surface(mixed, {.stitch_share = 0.0f}), true), 0u);
 }

@@ -151,10 +151,10 @@ hw::LineCamera camera_at(float offset, float scale)
 TEST(visible_lines, flaps_and_doubles_hide_nothing_at_any_offset_and_scale)
 {
     const hw::MeshData front = mesh_of({{-1, -1, 0}, {1, -0.9f, 0.1f}, {0.1f, 1, 0.3f}}, {0, 1, 2});
-    for (const hw::MeshData& mesh : {joined({front, turned_over(front)}), joined({front, front}),
-                                     joined({front, turned_over(front), front})}) {
-        for (const auto& [offset, scale] : {std::pair{0.0f, 1.0f}, {0.0f, 1e-6f}, {0.0f, 1e6f}, {1e3f, 1.0f},
-                                            {1e5f, 1e3f}, {1e6f, 1e4f}}) {
+    for (const hw::MeshData& mesh :
+         {joined({front, turned_over(front)}), joined({front, front}), joined({front, turned_over(front), front})}) {
+        for (const auto& [offset, scale] :
+             {std::pair{0.0f, 1.0f}, {0.0f, 1e-6f}, {0.0f, 1e6f}, {1e3f, 1.0f}, {1e5f, 1e3f}, {1e6f, 1e4f}}) {
             const hw::Surface surface = turned(mesh, offset, scale);
             const std::vector<hw::LineObject> objects{{&surface}};
             const auto lines = hw::find_visible_lines(objects, camera_at(offset, scale), {.with_hidden = true});

@@ -31,7 +31,10 @@ class lightmap_beside : public testing::Test {
 
 }  // namespace
 
-TEST_F(lightmap_beside, none_is_no_matter) { EXPECT_EQ(warning(), ""); }
+TEST_F(lightmap_beside, none_is_no_matter)
+{
+    EXPECT_EQ(warning(), "");
+}
 
 TEST_F(lightmap_beside, a_folder_is_named_in_a_warning)
 {

@@ -118,7 +118,8 @@ TEST(map_file, a_description_that_is_a_link_out_of_the_map_is_refused)
     folder.write("outside.json", kInk);
     fs::create_directory(folder.path() / "stone");
     fs::create_symlink("../outside.json", folder.path() / "stone/map.json");
-    EXPECT_THAT(error_of([&] { hw::read_map(folder.path() / "stone"); }).what, testing::HasSubstr("leaves the project"));
+    EXPECT_THAT(error_of([&] { hw::read_map(folder.path() / "stone"); }).what,
+                testing::HasSubstr("leaves the project"));
 }
 
 TEST(map_file, a_missing_format_says_which_is_expected)

@@ -16,7 +16,9 @@ hw::VectorDrawing drawing()
     const hw::VectorLine dot{{{5.0, 5.0}, {5.001, 5.0}}, false, 1.2};
     hw::VectorGroup ridges{.line_type = "ridge", .width_px = 1.2, .lines = {across, ring, dot}};
     hw::VectorGroup hidden{.line_type = "border", .is_hidden = true, .width_px = 1.0, .lines = {across}};
-    return {.size_px = {100, 50}, .title = "a & b", .objects = {{"Hall/<Arch>", {hidden, ridges}}, {"Hall/<Arch>", {ridges}}}};
+    return {.size_px = {100, 50},
+            .title = "a & b",
+            .objects = {{"Hall/<Arch>", {hidden, ridges}}, {"Hall/<Arch>", {ridges}}}};
 }
 
 std::size_t count(const std::string& text, const std::string& part)

@@ -70,7 +70,8 @@ Pixels drawn(const std::string& depth_operator)
     const auto context = make_headless_context();
     const Scene scene = floor_and_sheet();
     Renderer renderer(*context);
-    StyleSet set(test_registry(), [&](const std::filesystem::path& f) -> ProgramCache& { return renderer.program_cache(f); });
+    StyleSet set(test_registry(),
+                 [&](const std::filesystem::path& f) -> ProgramCache& { return renderer.program_cache(f); });
     EdgeShow style(depth_operator);
     style.prepare(renderer.program_cache(HATCHWAY_SOURCE_DIR "/tests/plugin_host/shaders"));
     SceneInput input;
@@ -102,7 +103,8 @@ TEST(edge_map, a_floor_at_a_grazing_angle_has_no_edges)
     for (const std::string depth_operator : {"diagonal", "c1"}) {
         const Pixels picture = drawn(depth_operator);
         for (const int channel : {0, 1})
-            EXPECT_GE(darkest(picture, channel, {4, 104}, {60, kSize.y - 4}), 250) << depth_operator << ", channel " << channel;
+            EXPECT_GE(darkest(picture, channel, {4, 104}, {60, kSize.y - 4}), 250)
+                << depth_operator << ", channel " << channel;
     }
 }
 

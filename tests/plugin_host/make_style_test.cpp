@@ -60,9 +60,10 @@ struct ParamCritic final : ParamVisitor {
 
 TEST(make_style, a_missing_plugin_lists_those_there_are)
 {
-    EXPECT_THAT(refusal([] { made("pencil"); }),
-                HasSubstr("hall.level.json: /styles/assumed: there is no style plugin \"pencil\"; expected one of: hybrid, "
-                          "pen_and_ink, photoreal"));
+    EXPECT_THAT(
+        refusal([] { made("pencil"); }),
+        HasSubstr("hall.level.json: /styles/assumed: there is no style plugin \"pencil\"; expected one of: hybrid, "
+                  "pen_and_ink, photoreal"));
 }
 
 TEST(make_style, a_refused_plugin_says_why)
@@ -136,9 +137,11 @@ TEST(make_style, every_style_that_a_level_names_is_looked_up_and_its_place_told)
     rule.over = "gone";
     rule.pointer = "/assign/0";
     level.assign = {rule};
-    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }), HasSubstr(": /assign/0/over: there is no style"));
+    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }),
+                HasSubstr(": /assign/0/over: there is no style"));
     level.assign[0].style = "gone too";
-    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }), HasSubstr(": /assign/0/style: there is no style"));
+    EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }),
+                HasSubstr(": /assign/0/style: there is no style"));
     level.assign[0].pointer = "--style 1";
     EXPECT_THAT(refusal([&] { check_styles(test_registry(), level); }), HasSubstr(": --style 1: there is no style"));
 }

@@ -1,5 +1,5 @@
-// Builds every built-in style, and a style fresh from new-style, against an installation, the way a stranger would: so no
-// style has private hooks into the engine.
+// Builds every built-in style, and a style fresh from new-style, against an installation, the way a stranger would: so
+// no style has private hooks into the engine.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,10 @@ bool run_cmake(const std::string& arguments, const fs::path& log)
     return std::system(("\"" HATCHWAY_CMAKE "\" " + arguments + " > \"" + log.string() + "\" 2>&1").c_str()) == 0;
 }
 
-std::string text_of(const fs::path& log) { return read_text_file(log, 1 << 24); }
+std::string text_of(const fs::path& log)
+{
+    return read_text_file(log, 1 << 24);
+}
 
 /// One project with all styles, so that the compiler and the package are looked for once.
 void write_project(const fs::path& folder, const std::vector<fs::path>& styles)
@@ -45,8 +48,9 @@ TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installati
     const fs::path log = root / "log.txt";
     const fs::path prefix = root / "prefix";
     for (const char* component : {"library", "development"})
-        ASSERT_TRUE(run_cmake("--install \"" HATCHWAY_BUILD_DIR "\" --prefix \"" + prefix.string() + "\" --component " +
-                              component, log)) << text_of(log);
+        ASSERT_TRUE(run_cmake(
+            "--install \"" HATCHWAY_BUILD_DIR "\" --prefix \"" + prefix.string() + "\" --component " + component, log))
+            << text_of(log);
 
     std::vector<fs::path> styles;
     for (const fs::directory_entry& entry : fs::directory_iterator(HATCHWAY_SOURCE_DIR "/npr_plugins"))
@@ -56,7 +60,8 @@ TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installati
     write_project(root / "source", styles);
 
     ASSERT_TRUE(run_cmake("-S \"" + (root / "source").string() + "\" -B \"" + (root / "build").string() +
-                          "\" -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_PREFIX_PATH=\"" + prefix.string() + "\"", log))
+                              "\" -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_PREFIX_PATH=\"" + prefix.string() + "\"",
+                          log))
         << text_of(log);
     ASSERT_TRUE(run_cmake("--build \"" + (root / "build").string() + "\"", log)) << text_of(log);
 

@@ -38,13 +38,15 @@ TEST(plugin_registry, the_installation_s_libraries_are_found_and_equal_the_stati
     for (std::size_t i = 0; i < loaded.plugins().size(); ++i) {
         EXPECT_EQ(loaded.plugins()[i].name, compiled_in.plugins()[i].name);
         EXPECT_NE(loaded.plugins()[i].entry, compiled_in.plugins()[i].entry);
-        EXPECT_TRUE(std::filesystem::is_directory(loaded.plugins()[i].shader_folder)) << loaded.plugins()[i].shader_folder;
+        EXPECT_TRUE(std::filesystem::is_directory(loaded.plugins()[i].shader_folder))
+            << loaded.plugins()[i].shader_folder;
     }
 }
 
 TEST(plugin_registry, a_plugin_of_another_version_is_refused_by_its_version_alone)
 {
-    EXPECT_THAT(reason("old_version"), HasSubstr("built for version 0 of the plugin interface, this program has version 1"));
+    EXPECT_THAT(reason("old_version"),
+                HasSubstr("built for version 0 of the plugin interface, this program has version 1"));
 }
 
 TEST(plugin_registry, a_plugin_of_another_build_is_refused)
@@ -52,7 +54,10 @@ TEST(plugin_registry, a_plugin_of_another_build_is_refused)
     EXPECT_THAT(reason("other_build"), HasSubstr("it was built by \"abi 1, glm 4\""));
 }
 
-TEST(plugin_registry, a_library_without_an_entry_is_refused) { EXPECT_THAT(reason("no_entry"), HasSubstr("HW_STYLE")); }
+TEST(plugin_registry, a_library_without_an_entry_is_refused)
+{
+    EXPECT_THAT(reason("no_entry"), HasSubstr("HW_STYLE"));
+}
 
 TEST(plugin_registry, a_library_whose_entry_throws_is_refused)
 {
@@ -68,14 +73,16 @@ TEST(plugin_registry, a_library_that_calls_itself_otherwise_is_refused_and_hides
 
 TEST(plugin_registry, a_folder_that_is_missing_is_bad_input)
 {
-    const std::string message = refusal([] { PluginRegistry({.has_installed = false, .folders = {"/no/such/folder"}}); });
+    const std::string message =
+        refusal([] { PluginRegistry({.has_installed = false, .folders = {"/no/such/folder"}}); });
     EXPECT_EQ(message, "/no/such/folder: there is no such folder of plugins");
 }
 
 TEST(plugin_registry, names_are_lower_case_letters_digits_and_underscores)
 {
     EXPECT_TRUE(is_plugin_name("pen_and_ink_2"));
-    for (const char* name : {"", "Pen", "pen-and-ink", "../pen", "pen.so", "p\xc3\xa9n"}) EXPECT_FALSE(is_plugin_name(name));
+    for (const char* name : {"", "Pen", "pen-and-ink", "../pen", "pen.so", "p\xc3\xa9n"})
+        EXPECT_FALSE(is_plugin_name(name));
 }
 
 TEST(plugin_registry, a_plugin_is_found_only_as_its_own_kind)
@@ -109,8 +116,6 @@ TEST(plugin_registry, a_fifo_a_folder_and_a_library_that_is_cut_off_are_left_out
 
 TEST(plugin_registry, a_folder_whose_name_is_too_long_is_bad_input)
 {
-    EXPECT_THAT(refusal([] {
-                    PluginRegistry({.has_installed = false, .folders = {"/" + std::string(5000, 'x')}});
-                }),
+    EXPECT_THAT(refusal([] { PluginRegistry({.has_installed = false, .folders = {"/" + std::string(5000, 'x')}}); }),
                 HasSubstr("there is no such folder of plugins"));
 }

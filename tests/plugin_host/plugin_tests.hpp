@@ -31,8 +31,8 @@ inline const PluginRegistry& test_registry()
 {
     static const PluginRegistry registry = [] {
         set_log_level(LogLevel::off);
-        return PluginRegistry(PluginPlaces{.has_installed = false, .folders = {kMisbehaving},
-                                           .compiled_in = static_plugins()});
+        return PluginRegistry(
+            PluginPlaces{.has_installed = false, .folders = {kMisbehaving}, .compiled_in = static_plugins()});
     }();
     return registry;
 }
@@ -55,7 +55,10 @@ struct FakeProgramCache final : ProgramCache {
 struct FakePass final : Pass {
     const View& view() const override { return a_view; }
     Image image(const ImageKey&) const override { return {}; }
-    Image render(const TargetDesc&, Program, const Uniforms&, std::span<const DrawItem>) override { return {1, {1, 1}}; }
+    Image render(const TargetDesc&, Program, const Uniforms&, std::span<const DrawItem>) override
+    {
+        return {1, {1, 1}};
+    }
     Image filter(const TargetDesc&, Program, const Uniforms& uniforms) override
     {
         last_uniforms = uniforms;

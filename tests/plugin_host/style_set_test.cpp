@@ -60,7 +60,8 @@ TEST_F(style_set, an_unknown_style_lists_the_level_s_styles_and_the_plugins)
 {
     set.set_level(level_with("assumed", "pen_and_ink"));
     const std::string message = refusal([&] { set.use("asumed", "/assign/3/style"); });
-    EXPECT_THAT(message, HasSubstr("hall.level.json: /assign/3/style: there is no style \"asumed\"; expected one of: assumed"));
+    EXPECT_THAT(message,
+                HasSubstr("hall.level.json: /assign/3/style: there is no style \"asumed\"; expected one of: assumed"));
     EXPECT_THAT(message, HasSubstr("photoreal"));
 }
 
@@ -68,7 +69,8 @@ TEST_F(style_set, a_plugin_that_fails_to_prepare_is_bad_input)
 {
     for (const std::string place : {"prepare", "needs", "a_number"}) {
         set.set_level(level_with("bad", "throws_where_told", failing_in(place)));
-        EXPECT_THAT(refusal([&] { set.use("bad", "/assign/0/style"); }), HasSubstr("throws_where_told\" failed in")) << place;
+        EXPECT_THAT(refusal([&] { set.use("bad", "/assign/0/style"); }), HasSubstr("throws_where_told\" failed in"))
+            << place;
     }
     EXPECT_TRUE(set.styles().empty());
 }
@@ -82,7 +84,8 @@ TEST_F(style_set, a_style_that_throws_while_drawing_is_drawn_plain_from_then_on)
     style.lines(pass, items);
     EXPECT_EQ(pass.drawn_surfaces, 4u);
     ASSERT_EQ(set.failures().size(), 1u);
-    EXPECT_THAT(set.failures()[0], HasSubstr("the style \"bad\" is drawn plain: the plugin \"bad\" failed in surfaces: told to fail"));
+    EXPECT_THAT(set.failures()[0],
+                HasSubstr("the style \"bad\" is drawn plain: the plugin \"bad\" failed in surfaces: told to fail"));
 }
 
 TEST_F(style_set, a_style_that_throws_in_its_lines_keeps_its_objects_in_the_picture)

@@ -1,4 +1,5 @@
-// Every kind of bad input: exit code 2, one message that says where, what was found and what is allowed, nothing written.
+// Every kind of bad input: exit code 2, one message that says where, what was found and what is allowed, nothing
+// written.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -19,9 +20,8 @@ class bad_input : public Test {
     /// A level with more members after its first two.
     std::string level(const std::string& more)
     {
-        return folder_.write("bad.level.json",
-                             R"({"format": "hatchway-level/1", "scene": "prism.glb")" + (more.empty() ? "" : ", " + more) +
-                                 "}");
+        return folder_.write("bad.level.json", R"({"format": "hatchway-level/1", "scene": "prism.glb")" +
+                                                   (more.empty() ? "" : ", " + more) + "}");
     }
     ProgramResult render(const std::string& file, std::vector<std::string> more = {})
     {
@@ -33,7 +33,8 @@ class bad_input : public Test {
     {
         EXPECT_EQ(result.exit_code, 2) << result.err;
         EXPECT_EQ(result.out, "");
-        for (const std::string& word : words) EXPECT_NE(result.err.find(word), std::string::npos) << word << "\n" << result.err;
+        for (const std::string& word : words)
+            EXPECT_NE(result.err.find(word), std::string::npos) << word << "\n" << result.err;
         EXPECT_FALSE(fs::exists(out_));
     }
 
@@ -43,7 +44,10 @@ class bad_input : public Test {
 
 }  // namespace
 
-TEST_F(bad_input, a_missing_file) { expect_refused(render(folder_ / "none.glb"), {"none.glb", "no such file"}); }
+TEST_F(bad_input, a_missing_file)
+{
+    expect_refused(render(folder_ / "none.glb"), {"none.glb", "no such file"});
+}
 
 TEST_F(bad_input, a_folder_or_a_pipe_instead_of_a_file)
 {
@@ -63,7 +67,10 @@ TEST_F(bad_input, a_level_nested_too_deep)
     expect_refused(render(folder_.write("bad.level.json", std::string(200'000, '['))), {"bad.level.json"});
 }
 
-TEST_F(bad_input, an_unknown_key) { expect_refused(render(level(R"("camras": {})")), {"bad.level.json", "/camras", "cameras"}); }
+TEST_F(bad_input, an_unknown_key)
+{
+    expect_refused(render(level(R"("camras": {})")), {"bad.level.json", "/camras", "cameras"});
+}
 
 TEST_F(bad_input, a_missing_model)
 {
@@ -79,7 +86,8 @@ TEST_F(bad_input, a_model_that_is_none)
 
 TEST_F(bad_input, an_unknown_plugin)
 {
-    const std::string file = level(R"("styles": {"a": {"plugin": "crayon"}}, "assign": [{"nodes": "*", "style": "a"}])");
+    const std::string file =
+        level(R"("styles": {"a": {"plugin": "crayon"}}, "assign": [{"nodes": "*", "style": "a"}])");
     expect_refused(render(file), {"bad.level.json", "/styles/a/plugin", "crayon", "pen_and_ink", "photoreal"});
 }
 
@@ -129,7 +137,8 @@ TEST_F(bad_input, a_glob_with_a_class_that_is_never_closed)
 
 TEST_F(bad_input, a_map_that_is_not_there)
 {
-    expect_refused(render(level(R"("assign": [{"nodes": "*", "maps": {"ink": "maps/none"}}])")), {"bad.level.json", "maps/none"});
+    expect_refused(render(level(R"("assign": [{"nodes": "*", "maps": {"ink": "maps/none"}}])")),
+                   {"bad.level.json", "maps/none"});
 }
 
 TEST_F(bad_input, an_unknown_camera_lists_those_that_exist)
@@ -222,7 +231,8 @@ TEST_F(bad_input, an_output_that_is_a_map_of_the_level)
 {
     fs::create_directory(folder_ / "courses");
     ASSERT_EQ(run_program({"map", "hatch", "--out", folder_ / "courses"}).exit_code, 0);
-    const std::string file = level(R"("assign": [{"nodes": "*", "style": "pen_and_ink", "maps": {"hatch": "./courses"}}])");
+    const std::string file =
+        level(R"("assign": [{"nodes": "*", "style": "pen_and_ink", "maps": {"hatch": "./courses"}}])");
     const std::string map = folder_ / "courses/level_0.png";
     const std::string before = hw::test::bytes_of(map);
     expect_refused(run_program({"render", file, "--size", "64x48", "--out", map}), {"--out: is a file that is read"});
@@ -247,15 +257,18 @@ TEST_F(bad_input, a_number_that_is_none_or_out_of_range)
     const std::string map = folder_ / "new";
     const std::string model = folder_ / "prism.glb";
     for (const char* number : {"nan", "inf", "-1", "1e400", "4x", ""}) {
-        expect_refused(run_program({"map", "hatch", "--out", map, "--line", number}), {"--line", number, "expected 0.2 to 4"});
+        expect_refused(run_program({"map", "hatch", "--out", map, "--line", number}),
+                       {"--line", number, "expected 0.2 to 4"});
         expect_refused(run_program({"map", "tonal", "--out", map, "--pen", number}), {"--pen", "expected 0.5 to 8"});
         expect_refused(run_program({"map", "tonal", "--out", map, "--angle-spread-deg", number}), {"expected 0 to 45"});
         expect_refused(run_program({"map", "tonal", "--out", map, "--size-m", number}), {"expected 0.001 to 1000"});
         expect_refused(run_program({"bake", model, "--luxels-per-m", number}), {"expected 0.01 to 1000"});
-        expect_refused(render(model, {"--frames", number, "--path", "turntable"}), {"--frames", "expected 1 to 100000"});
+        expect_refused(render(model, {"--frames", number, "--path", "turntable"}),
+                       {"--frames", "expected 1 to 100000"});
     }
     expect_refused(render(model, {"--time-s", "nan"}), {"--time-s", "expected"});
-    expect_refused(run_program({"map", "hatch", "--out", map, "--width", "65"}), {"--width", "65", "64, 128", "or 4096"});
+    expect_refused(run_program({"map", "hatch", "--out", map, "--width", "65"}),
+                   {"--width", "65", "64, 128", "or 4096"});
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"prism.glb"});
 }
 
@@ -328,7 +341,8 @@ TEST_F(bad_input, an_option_without_a_value)
 
 TEST_F(bad_input, a_style_option_that_names_nothing_is_warned_of)
 {
-    const ProgramResult idle = render(folder_ / "prism.glb", {"--style", "*=photoreal", "--style", "no_such_node=photoreal"});
+    const ProgramResult idle =
+        render(folder_ / "prism.glb", {"--style", "*=photoreal", "--style", "no_such_node=photoreal"});
     EXPECT_EQ(idle.exit_code, 0) << idle.err;
     EXPECT_NE(idle.err.find("--style 2: \"no_such_node\" names nothing in the model"), std::string::npos) << idle.err;
     EXPECT_EQ(idle.err.find("--style 1"), std::string::npos) << idle.err;

@@ -30,7 +30,8 @@ TEST(corpus, malformed_files_end_in_a_message_within_two_seconds)
     for (const fs::path& file : files) {
         const ProgramResult result = run_program(
             {"render", file.string(), "--size", "32x32", "--samples", "1", "--out", folder / "a.png"}, 10.0);
-        EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 2) << file << ' ' << result.exit_code << '\n' << result.err;
+        EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 2) << file << ' ' << result.exit_code << '\n'
+                                                                    << result.err;
         EXPECT_LT(result.seconds, 2.0) << file;
         EXPECT_TRUE(result.exit_code != 2 || result.err.find("error") != std::string::npos) << file;
     }
@@ -43,8 +44,8 @@ TEST(corpus, hard_meshes_open_in_every_style)
     const hw::test::TemporaryFolder folder;
     for (const fs::path& file : files)
         for (const char* style : {"*=photoreal", "*=pen_and_ink", "*=hybrid"}) {
-            std::vector<std::string> arguments{"render", file.string(), "--style", style, "--size", "64x48", "--out",
-                                               folder / "a.png"};
+            std::vector<std::string> arguments{"render", file.string(), "--style", style,
+                                               "--size", "64x48",       "--out",   folder / "a.png"};
             // The PVS does not know the style: making it once is enough.
             if (style != std::string("*=photoreal")) arguments.push_back("--no-pvs");
             const ProgramResult result = run_program(arguments, 30.0);

@@ -22,9 +22,9 @@ const std::string kHall = (kContent / "levels" / "hall.level.json").string();
 TEST(lines, of_the_prism_are_drawn_by_class_and_told_as_json)
 {
     const TemporaryFolder folder;
-    const auto result = run_program({"lines", kPrism, "--eye", "3,2,7", "--target", "0,0.5,0", "--size", "400x300",
-                                     "--hidden", "dashed", "--crease-deg", "60", "--out", folder / "prism.svg", "--json",
-                                     folder / "prism.json"});
+    const auto result =
+        run_program({"lines", kPrism, "--eye", "3,2,7", "--target", "0,0.5,0", "--size", "400x300", "--hidden",
+                     "dashed", "--crease-deg", "60", "--out", folder / "prism.svg", "--json", folder / "prism.json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json found = json::parse(bytes_of(folder / "prism.json"));
     EXPECT_EQ(found["width"], 400);
@@ -49,7 +49,8 @@ TEST(lines, of_a_level_are_the_same_bytes_every_time)
     const TemporaryFolder folder;
     for (const char* name : {"a.svg", "b.svg"})
         ASSERT_EQ(run_program({"lines", kHall, "--camera", "entrance", "--size", "700x450", "--out", folder / name})
-                      .exit_code, 0);
+                      .exit_code,
+                  0);
     EXPECT_EQ(bytes_of(folder / "a.svg"), bytes_of(folder / "b.svg"));
     EXPECT_GT(bytes_of(folder / "a.svg").size(), 20'000u);
 }

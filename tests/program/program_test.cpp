@@ -18,7 +18,10 @@ const std::string kHall = (kContent / "levels" / "hall.level.json").string();
 const std::string kPrismLevel = (kContent / "levels" / "prism.level.json").string();
 const std::string kPrism = (kContent / "models" / "prism.glb").string();
 
-json read_json(const fs::path& file) { return json::parse(bytes_of(file)); }
+json read_json(const fs::path& file)
+{
+    return json::parse(bytes_of(file));
+}
 
 }  // namespace
 
@@ -26,8 +29,8 @@ TEST(program, says_what_it_can_do)
 {
     const ProgramResult help = run_program({"--help"});
     EXPECT_EQ(help.exit_code, 0);
-    for (const char* command :
-         {"walk", "render", "bake", "check", "compile", "info", "silhouettes", "measure", "report", "new-style", "schema"}) {
+    for (const char* command : {"walk", "render", "bake", "check", "compile", "info", "silhouettes", "measure",
+                                "report", "new-style", "schema"}) {
         EXPECT_NE(help.out.find(command), std::string::npos) << command;
         const ProgramResult result = run_program({command, "--help"});
         EXPECT_EQ(result.exit_code, 0) << command;
@@ -131,9 +134,8 @@ TEST(program, renders_every_style_on_a_bare_model)
     const TemporaryFolder folder;
     for (const char* style : {"photoreal", "pen_and_ink", "hybrid"}) {
         const std::string out = folder / (std::string(style) + ".png");
-        const ProgramResult result = run_program(
-            {"render", kPrism, "--style", std::string("*=") + style, "--size", "160x120", "--out", out, "--json",
-             folder / "r.json", "--stats"});
+        const ProgramResult result = run_program({"render", kPrism, "--style", std::string("*=") + style, "--size",
+                                                  "160x120", "--out", out, "--json", folder / "r.json", "--stats"});
         EXPECT_EQ(result.exit_code, 0) << result.err;
         EXPECT_GT(fs::file_size(out), 500u);
         EXPECT_EQ(read_json(folder / "r.json")["frames"][0]["objects_visible"], 1);
@@ -180,16 +182,18 @@ TEST(program, a_frame_does_not_depend_on_the_frames_before)
     };
     ASSERT_EQ(with({"--frames", "5", "--out", folder / "five"}), 0);
     ASSERT_EQ(with({"--frames", "1", "--out", folder / "one"}), 0);
-    // A turntable ends where it began, so the last of five frames shows what a single first frame shows, at another time.
+    // A turntable ends where it began, so the last of five frames shows what a single first frame shows, at another
+    // time.
     EXPECT_EQ(bytes_of(folder / "five/frame_0004.png"), bytes_of(folder / "one/frame_0000.png"));
 }
 
 TEST(program, every_model_has_a_tour)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_program({"render", kPrism, "--path", "tour", "--frames", "3", "--size", "64x48", "--out", folder / "t"})
-                  .exit_code,
-              0);
+    ASSERT_EQ(
+        run_program({"render", kPrism, "--path", "tour", "--frames", "3", "--size", "64x48", "--out", folder / "t"})
+            .exit_code,
+        0);
     EXPECT_TRUE(fs::exists(folder / "t/frame_0002.png"));
 }
 

@@ -59,9 +59,9 @@ PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, 
         all += static_cast<double>(without.triangles);
         if (share > result.worst_share) {
             result.worst_share = share;
-            result.worst_view = fmt::format("--eye {},{},{} --target {},{},{}", camera.eye_world.x, camera.eye_world.y,
-                                            camera.eye_world.z, camera.target_world.x, camera.target_world.y,
-                                            camera.target_world.z);
+            result.worst_view =
+                fmt::format("--eye {},{},{} --target {},{},{}", camera.eye_world.x, camera.eye_world.y,
+                            camera.eye_world.z, camera.target_world.x, camera.target_world.y, camera.target_world.z);
         }
     }
     result.drawn_share = drawn / std::max(all, 1.0);

@@ -1,5 +1,5 @@
-// Fifty random eyes in every scene: identical bytes in photoreal; in ink, lines are drawn a little over their faces and may
-// leak through a wall's edge, so under one pixel in ten thousand may differ.
+// Fifty random eyes in every scene: identical bytes in photoreal; in ink, lines are drawn a little over their faces and
+// may leak through a wall's edge, so under one pixel in ten thousand may differ.
 #include <gtest/gtest.h>
 
 #include <iostream>

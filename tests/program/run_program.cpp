@@ -98,7 +98,10 @@ TemporaryFolder::TemporaryFolder()
     fs::create_directories(path_);
 }
 
-TemporaryFolder::~TemporaryFolder() { fs::remove_all(path_); }
+TemporaryFolder::~TemporaryFolder()
+{
+    fs::remove_all(path_);
+}
 
 std::string TemporaryFolder::write(const std::string& name, const std::string& text) const
 {

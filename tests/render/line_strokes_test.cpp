@@ -7,7 +7,10 @@
 namespace hw::test {
 namespace {
 
-StrokeSegment segment(glm::vec3 a, glm::vec3 b, LineClass line_class = LineClass::border) { return {{a, b}, line_class}; }
+StrokeSegment segment(glm::vec3 a, glm::vec3 b, LineClass line_class = LineClass::border)
+{
+    return {{a, b}, line_class};
+}
 
 }  // namespace
 

@@ -182,7 +182,8 @@ TEST(visibility, scenes_without_a_volume_are_compiled_too)
     EXPECT_EQ(compile(empty.scene()).visibility.slots.size(), 0u);
     for (const glm::dvec3& size : {glm::dvec3(4, 3, 0), glm::dvec3(0, 3, 0.001), glm::dvec3(5, 0, 0), glm::dvec3(0)}) {
         SceneBuilder flat;
-        const ObjectId sheet = flat.quad({{{0, 0, 0}, {size.x, 0, 0}, size, {0, size.y, size.z}}}, SceneBuilder::kDouble);
+        const ObjectId sheet =
+            flat.quad({{{0, 0, 0}, {size.x, 0, 0}, size, {0, size.y, size.z}}}, SceneBuilder::kDouble);
         EXPECT_TRUE(compile(flat.scene()).sees({0.1, 0.1, 1}, sheet));
     }
 }

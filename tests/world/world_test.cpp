@@ -40,7 +40,8 @@ TEST(looks, one_style_serves_brick_plank_and_tile_with_a_map_for_each)
     hw::Scene scene = two_columns_in_a_hall();
     scene.materials = {{.name = "Brick_Old"}, {.name = "Plank"}, {.name = "Roof_Tile"}, {.name = "Plaster"}};
     scene.objects.clear();
-    for (int material = 0; material < 4; ++material) scene.objects.push_back({.node = 1, .mesh = 0, .material = material});
+    for (int material = 0; material < 4; ++material)
+        scene.objects.push_back({.node = 1, .mesh = 0, .material = material});
     hw::Level level;
     level.assign = {{.nodes = "*", .style = "drawn"},
                     {.materials = "Brick*", .maps = {{"ink", "brick"}}},
