@@ -84,7 +84,9 @@ void write_report(const ReportArguments& arguments)
     if (!fs::is_directory(arguments.out, missing))
         throw Error(
             {.what = "is no folder", .file = arguments.out.string(), .expected = "an existing folder for --out"});
-    const std::vector<ReportSection> plan = report_plan(installation_prefix() / "share" / "hatchway", arguments.data);
+    // Relative to the working folder: a report that is shown to others names no folder of this machine.
+    const std::filesystem::path share = std::filesystem::proximate(installation_prefix() / "share" / "hatchway");
+    const std::vector<ReportSection> plan = report_plan(share, arguments.data);
     refuse_unknown_sections(arguments.only, plan);
     std::vector<MeasuredSection> sections;
     for (const ReportSection& section : plan) {
