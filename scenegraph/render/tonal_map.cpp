@@ -127,6 +127,25 @@ Pixels drawn_level(const TonalMapDesc& desc, int size, std::vector<std::vector<M
     return level_of(level);
 }
 
+/// In how many of a level's tones each texel is ink, by rank: soft edges of strokes would else crowd in the middle.
+Pixels priorities_of(const Pixels& level, int tones)
+{
+    const int size = level.height;
+    std::vector<int> paper(static_cast<std::size_t>(size) * size);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            for (int tone = 0; tone < tones; ++tone) paper[y * size + x] += *level.at(tone * size + x, y);
+    std::vector<int> sorted = paper;
+    std::ranges::sort(sorted);
+    Pixels priorities{.width = size, .height = size, .channels = 1};
+    for (const int value : paper) {
+        const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), value);
+        const double rank = 0.5 * static_cast<double>((first - sorted.begin()) + (last - sorted.begin()));
+        priorities.bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0 * rank / double(sorted.size()))));
+    }
+    return priorities;
+}
+
 }  // namespace
 
 MapLevels make_tonal_map(const TonalMapDesc& desc)
@@ -145,17 +164,7 @@ MapLevels make_tonal_map(const TonalMapDesc& desc)
 MapLevels make_priority_map(const TonalMapDesc& desc)
 {
     MapLevels map = make_tonal_map(desc);
-    for (Pixels& level : map.levels) {
-        const int size = level.height;
-        Pixels priorities{.width = size, .height = size, .channels = 1};
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x) {
-                int sum = 0;
-                for (int tone = 0; tone < desc.tones; ++tone) sum += *level.at(tone * size + x, y);
-                priorities.bytes.push_back(static_cast<std::uint8_t>((sum + desc.tones / 2) / desc.tones));
-            }
-        level = std::move(priorities);
-    }
+    for (Pixels& level : map.levels) level = priorities_of(level, desc.tones);
     return map;
 }
 

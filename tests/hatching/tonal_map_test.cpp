@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/stroke_drawing.hpp"
@@ -54,33 +55,53 @@ TEST(tonal_map, every_tone_has_its_coverage_at_every_level)
     EXPECT_LT(std::sqrt(squares / count), 0.04);
 }
 
-TEST(tonal_map, a_darker_tone_holds_all_ink_of_a_lighter_one_at_every_level)
+TEST(tonal_map, every_darker_tone_holds_all_ink_of_every_lighter_one_at_every_level)
 {
     for (std::size_t level = 0; level < tonal_map().levels.size(); ++level)
-        for (int tone = 0; tone + 1 < 6; ++tone)
-            for (int y = 0; y < tonal_map().levels[level].height; ++y)
-                for (int x = 0; x < tonal_map().levels[level].height; ++x)
-                    ASSERT_GE(ink_at(tonal_map(), level, tone + 1, x, y), ink_at(tonal_map(), level, tone, x, y))
-                        << "level " << level << ", tone " << tone << " at " << x << ", " << y;
+        for (int light = 0; light < 6; ++light)
+            for (int dark = light + 1; dark < 6; ++dark)
+                for (int y = 0; y < tonal_map().levels[level].height; ++y)
+                    for (int x = 0; x < tonal_map().levels[level].height; ++x)
+                        ASSERT_GE(ink_at(tonal_map(), level, dark, x, y), ink_at(tonal_map(), level, light, x, y))
+                            << "level " << level << ", tones " << light << " and " << dark << " at " << x << ", " << y;
 }
 
-TEST(tonal_map, a_finer_level_holds_the_strokes_of_every_coarser_one)
+TEST(tonal_map, every_finer_level_holds_the_strokes_of_every_coarser_one_in_every_tone_as_dark)
 {
-    // A texel that is all ink lies in the middle of a stroke; the same place must be inked, within a pen, one level finer.
-    for (std::size_t level = 0; level + 1 < tonal_map().levels.size(); ++level) {
-        const int coarse = tonal_map().levels[level + 1].height;
-        if (coarse < 16) break;
-        for (int tone = 0; tone < 5; ++tone)
-            for (int y = 0; y < coarse; ++y)
-                for (int x = 0; x < coarse; ++x) {
-                    if (ink_at(tonal_map(), level + 1, tone, x, y) < 0.999f) continue;
-                    float most = 0.0f;
-                    for (int j = -1; j <= 2; ++j)
-                        for (int i = -1; i <= 2; ++i)
-                            most = std::max(most, ink_at(tonal_map(), level, tone, (2 * x + i + 2 * coarse) % (2 * coarse),
-                                                         (2 * y + j + 2 * coarse) % (2 * coarse)));
-                    ASSERT_GT(most, 0.5f) << "level " << level + 1 << ", tone " << tone << " at " << x << ", " << y;
+    // A texel that is all ink lies in the middle of a stroke; the same place must be inked, within a pen, at finer
+    // levels.
+    for (std::size_t fine = 0; fine < tonal_map().levels.size(); ++fine)
+        for (std::size_t level = fine + 1; tonal_map().levels[level].height >= 16; ++level)
+            for (int light = 0; light < 5; ++light)
+                for (int dark = light; dark < 5; ++dark) {
+                    const int coarse = tonal_map().levels[level].height;
+                    const int times = tonal_map().levels[fine].height / coarse;
+                    const int size = coarse * times;
+                    for (int y = 0; y < coarse; ++y)
+                        for (int x = 0; x < coarse; ++x) {
+                            if (ink_at(tonal_map(), level, light, x, y) < 0.999f) continue;
+                            float most = 0.0f;
+                            for (int j = -1; j <= times; ++j)
+                                for (int i = -1; i <= times; ++i)
+                                    most = std::max(most, ink_at(tonal_map(), fine, dark, (times * x + i + size) % size,
+                                                                 (times * y + j + size) % size));
+                            ASSERT_GT(most, 0.5f) << "levels " << fine << " and " << level << ", tones " << light
+                                                  << " and " << dark << " at " << x << ", " << y;
+                        }
                 }
+}
+
+TEST(tonal_map, priorities_are_spread_evenly_at_every_level_that_holds_strokes)
+{
+    const MapLevels map = make_priority_map({.size_texels = 128, .tones = 16});
+    for (const Pixels& level : map.levels) {
+        if (level.width < 16) continue;
+        for (const double tone : {0.1, 0.25, 0.5, 0.75, 0.9}) {
+            const double threshold = 255.0 * (1.0 - tone);  // a texel is ink where its priority lies above it
+            const auto inked = std::ranges::count_if(level.bytes, [&](int paper) { return 255 - paper > threshold; });
+            EXPECT_NEAR(static_cast<double>(inked) / static_cast<double>(level.bytes.size()), tone, 0.02)
+                << level.width;
+        }
     }
 }
 

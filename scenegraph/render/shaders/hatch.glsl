@@ -62,43 +62,54 @@ vec3 hw_inverse_hand(HwHand hand)
                 1.0 + min(3.0 * hand.gap_px * inverse_length, 0.5));
 }
 
-// Ink of parallel strokes. `st`: across and along the strokes, on the surface, metres; st_dx and st_dy its derivatives in
-// the picture. `inverse_spacing`: of device pixels between two strokes; `width`: of a stroke, device pixels; `inverse_hand`:
-// hw_inverse_hand().
-// Written in inverses: software renderers wait for every division.
-float hw_stroke_ink(vec2 st, vec2 st_dx, vec2 st_dy, float inverse_spacing, float width, HwHand hand,
-                    vec3 inverse_hand)
+// What strokes of one direction need at a place of the surface.
+struct HwStrokes {
+    vec2 st;                // across and along the strokes, on the surface, metres
+    vec2 squared_m_per_px;  // squared gradients of the two in the picture
+    float inverse_spacing;  // of device pixels between two strokes
+    float width;            // of a stroke, device pixels, at most the spacing
+};
+
+// Ink of parallel strokes; `inverse_hand`: hw_inverse_hand(). What a wide stroke covers of its neighbours' cells counts there,
+// so that strokes as wide as their spacing leave no paper; there the hand closes its gaps, too.
+float hw_stroke_ink(HwStrokes s, HwHand hand, vec3 inverse_hand)
 {
-    float px_per_m = hw_inverse_sqrt(clamp(st_dx.x * st_dx.x + st_dy.x * st_dy.x, 1e-24, 1e24));
+    vec2 px_per_m = vec2(hw_inverse_sqrt(clamp(s.squared_m_per_px.x, 1e-24, 1e24)),
+                         hw_inverse_sqrt(clamp(s.squared_m_per_px.y, 1e-24, 1e24)));
     float thinning;
-    float inverse_cell = hw_inverse_octave(px_per_m * inverse_spacing, thinning);
-    float index = floor(st.x * inverse_cell + 0.5);
-    float line = index * hw_inverse_of_power(inverse_cell);
-    width *= fract(index * 0.5) > 0.25 ? thinning : 1.0;
+    float inverse_cell = hw_inverse_octave(px_per_m.x * s.inverse_spacing, thinning);
+    float cell = hw_inverse_of_power(inverse_cell);
+    float index = floor(s.st.x * inverse_cell + 0.5);
+    float line = index * cell;
+    bool is_thinned = fract(index * 0.5) > 0.25;
+    float width = is_thinned ? s.width * thinning : s.width;
+    float neighbour_width = is_thinned ? s.width : s.width * thinning;
     float offset = 0.0;
     if (hand.length_px > 0.0) {
-        float px_per_m_along = hw_inverse_sqrt(clamp(st_dx.y * st_dx.y + st_dy.y * st_dy.y, 1e-24, 1e24));
         float end_thinning;
-        float inverse_piece = hw_inverse_octave(px_per_m_along * inverse_hand.x, end_thinning);
+        float inverse_piece = hw_inverse_octave(px_per_m.y * inverse_hand.x, end_thinning);
         float random = hw_hash(line, 1u);
-        float t = (st.y + 64.0 * random) * inverse_piece;
+        float t = (s.st.y + 64.0 * random) * inverse_piece;
         float end_index = floor(t + 0.5);
-        float piece_px = hw_inverse_of_power(inverse_piece) * px_per_m_along;
+        float piece_px = hw_inverse_of_power(inverse_piece) * px_per_m.y;
         float to_end = abs(t - end_index) * piece_px * inverse_hand.y;
         float taper = clamp(to_end * 0.4 - 0.2, 0.0, 1.0);
         taper = fract(end_index * 0.5) > 0.25 ? mix(1.0, taper, end_thinning) : taper;
         float wave = mix(hw_wave(0.35 * t + random), hw_wave(0.7 * t + random), end_thinning);
-        width *= taper * inverse_hand.z * (1.0 + hand.pressure * wave);
-        offset = hand.wobble_px * hw_px_scale * wave;
+        float open = clamp(3.0 - 4.0 * s.width * s.inverse_spacing, 0.0, 1.0);
+        width *= mix(1.0, taper * inverse_hand.z * (1.0 + hand.pressure * wave), open);
+        offset = open * hand.wobble_px * hw_px_scale * wave;
     }
-    return hw_line_ink(width, abs((st.x - line) * px_per_m + offset));
+    float away = abs((s.st.x - line) * px_per_m.x + offset);
+    return min(hw_line_ink(width, away) + hw_line_ink(neighbour_width, cell * px_per_m.x - away), 1.0);
 }
 
 // The same for logical pixels between strokes and the ink coverage `tone`, at most 1.
 float hw_strokes(vec2 st, vec2 st_dx, vec2 st_dy, float spacing_px, float tone, HwHand hand)
 {
     float spacing = spacing_px * hw_px_scale;
-    return hw_stroke_ink(st, st_dx, st_dy, 1.0 / spacing, tone * spacing, hand, hw_inverse_hand(hand));
+    vec2 squared = st_dx * st_dx + st_dy * st_dy;
+    return hw_stroke_ink(HwStrokes(st, squared, 1.0 / spacing, tone * spacing), hand, hw_inverse_hand(hand));
 }
 
 // The model's texture coordinates run downwards, made ones upwards.
@@ -150,19 +161,25 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
     vec3 inverse_hand = hw_inverse_hand(h.hand);
     vec2 third = h.direction + h.cross_direction;
     third *= hw_inverse_sqrt(max(dot(third, third), 1e-12));
-    float wanted = 1.0 - clamp(tone, 0.0, 0.98);  // paper that stays, of what earlier directions left
+    vec2 squared = s.hatch_uv_dx * s.hatch_uv_dx + s.hatch_uv_dy * s.hatch_uv_dy;
+    float mixed = 2.0 * (s.hatch_uv_dx.x * s.hatch_uv_dx.y + s.hatch_uv_dy.x * s.hatch_uv_dy.y);
+    float wanted = 1.0 - clamp(tone, 0.0, 1.0);  // paper that stays, of what earlier directions left
     float paper = 1.0;
     vec2 direction = h.direction;
     float widest = 2.5;
     float ink = 1.0 - wanted;
-    for (int i = 0; ink >= 0.004; ++i) {
+    for (int i = 0; i < 3 && ink >= 0.004; ++i) {
         float part = i == 0 ? min(ink, 2.0 * full) : i == 1 ? min(ink, full) : ink;
         float closeness = clamp(part * inverse_full, 1.0 / widest, 1.0);
         float width = spacing * max(min(full, part * widest), part);
-        mat2 turn = hw_to_strokes(direction);
-        paper *= 1.0 - hw_stroke_ink(turn * s.hatch_uv, turn * s.hatch_uv_dx, turn * s.hatch_uv_dy,
-                                     closeness * inverse_spacing, width, h.hand, inverse_hand);
-        wanted /= 1.0 - part;
+        vec2 along = direction * kHwUp;
+        vec2 across = vec2(-direction.y, direction.x) * kHwUp;
+        float squared_across = dot(across * across, squared) + across.x * across.y * mixed;
+        HwStrokes strokes = HwStrokes(vec2(dot(across, s.hatch_uv), dot(along, s.hatch_uv)),
+                                      vec2(squared_across, squared.x + squared.y - squared_across),
+                                      closeness * inverse_spacing, width);
+        paper *= 1.0 - hw_stroke_ink(strokes, h.hand, inverse_hand);
+        wanted /= max(1.0 - part, 1e-6);
         ink = 1.0 - wanted;
         widest = 2.0;
         direction = i == 0 ? h.cross_direction : third;
