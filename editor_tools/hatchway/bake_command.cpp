@@ -3,7 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
+#include <span>
 
+#include "core/error.hpp"
+#include "core/glob.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
 #include "hatchway/option_rules.hpp"
@@ -20,6 +23,7 @@ struct BakeArguments {
     std::string quality = "final";
     std::optional<double> luxels_per_m;
     std::optional<std::uint32_t> samples;
+    std::vector<std::string> nodes;
     std::filesystem::path out;
 };
 
@@ -31,6 +35,28 @@ BakeOptions options_of(const BakeArguments& arguments)
     return options;
 }
 
+/// Whether a glob names the node or one of its parents.
+bool is_named(const Scene& scene, int node, std::span<const std::string> globs)
+{
+    for (; node != kNone; node = scene.nodes[node].parent)
+        for (const std::string& glob : globs)
+            if (glob_matches(glob, scene.nodes[node].path)) return true;
+    return false;
+}
+
+/// The objects that get baked light; empty: all.
+std::vector<ObjectId> receivers_of(const Scene& scene, std::span<const std::string> globs)
+{
+    std::vector<ObjectId> receivers;
+    if (globs.empty()) return receivers;
+    for (ObjectId id = 0; id < scene.objects.size(); ++id)
+        if (is_named(scene, scene.objects[id].node, globs)) receivers.push_back(id);
+    if (receivers.empty())
+        throw Error(
+            {.what = "--nodes: no object has such a name", .file = scene.file, .expected = "a path glob of a node"});
+    return receivers;
+}
+
 void bake(const BakeArguments& arguments)
 {
     const std::filesystem::path out = arguments.out.empty() ? lightmap_path(arguments.file) : arguments.out;
@@ -40,11 +66,13 @@ void bake(const BakeArguments& arguments)
     require_unread({{"--out", out}});
     std::uint32_t luxels = 0;
     double seconds = 0.0;
-    const Lightmap lightmap = bake_lightmap(world->scene, light_sources_of(level, world->scene), options_of(arguments),
-                                            [&](const BakeState& state) {
-                                                luxels = state.luxels;
-                                                seconds = state.seconds;
-                                            });
+    BakeOptions options = options_of(arguments);
+    options.receivers = receivers_of(world->scene, arguments.nodes);
+    const Lightmap lightmap =
+        bake_lightmap(world->scene, light_sources_of(level, world->scene), options, [&](const BakeState& state) {
+            luxels = state.luxels;
+            seconds = state.seconds;
+        });
     write_lightmap(out, lightmap);
     std::cout << fmt::format("{}: {} luxels in {} x {}, {:.3g} luxels per metre; {:.1f} s\n", out.string(), luxels,
                              lightmap.size.x, lightmap.size.y, lightmap.luxels_per_m, seconds);
@@ -65,6 +93,12 @@ void add_bake_command(CLI::App& app)
     command->add_option("--samples", arguments->samples, "Of each luxel; draft 32, final 512")
         ->option_text("N")
         ->check(whole_number_in(1, 65536));
+    command
+        ->add_option(
+            "--nodes", arguments->nodes,
+            "Only the nodes of a path glob and what hangs below them; repeatable. Others keep the light of frames")
+        ->option_text("GLOB")
+        ->allow_extra_args(false);
     command->add_option("--out", arguments->out, "The file; beside the level, where walk and render find it")
         ->option_text("FILE");
     command->callback([arguments] { bake(*arguments); });

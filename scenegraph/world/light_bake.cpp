@@ -27,7 +27,7 @@ class Bake {
         : scene_(scene),
           sources_(sources),
           samples_(std::bit_ceil(std::max(1u, options.samples))),
-          lightmap_(plan_lightmap(scene, options.luxels_per_m, options.budget)),
+          lightmap_(plan_lightmap(scene, options.luxels_per_m, options.budget, options.receivers)),
           rays_(scene),
           points_(scene, lightmap_, rays_),
           places_(points_.luxels().size()),

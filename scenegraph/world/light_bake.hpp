@@ -11,6 +11,7 @@ struct BakeOptions {
     double luxels_per_m = 8.0;
     std::uint32_t samples = 512;        ///< Of each luxel; rounded up to a power of two.
     std::uint64_t budget = 8ull << 20;  ///< Luxels.
+    std::vector<ObjectId> receivers;    ///< Objects that get baked light; empty: all. Others still cast and send light.
 };
 
 enum class BakeQuality : unsigned char { draft, final };

@@ -114,12 +114,21 @@ class CornerPlaces {
     std::uint32_t number_ = 0;
 };
 
+/// For each object, whether it gets baked light.
+std::vector<bool> find_receivers(const Scene& scene, std::span<const ObjectId> receivers)
+{
+    std::vector<bool> result(scene.objects.size(), receivers.empty());
+    for (const ObjectId id : receivers) result[id] = true;
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) result[id] = result[id] && takes_part_in_light(scene, id);
+    return result;
+}
+
 /// Luxels to the unit of object space for each mesh: as the largest of its instances needs. 0: none is lit.
-std::vector<double> densities(const Scene& scene, double luxels_per_m)
+std::vector<double> densities(const Scene& scene, const std::vector<bool>& is_receiver, double luxels_per_m)
 {
     std::vector<double> result(scene.meshes.size(), 0.0);
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        if (!takes_part_in_light(scene, id)) continue;
+        if (!is_receiver[id]) continue;
         const glm::dmat3 matrix(scene.world_from_object(id));
         const double scale = std::max({glm::length(matrix[0]), glm::length(matrix[1]), glm::length(matrix[2])});
         double& density = result[scene.objects[id].mesh];
@@ -129,7 +138,7 @@ std::vector<double> densities(const Scene& scene, double luxels_per_m)
 }
 
 /// Places all objects. False: they do not fit.
-bool place_objects(const Scene& scene, std::uint64_t budget, Lightmap& lightmap)
+bool place_objects(const Scene& scene, const std::vector<bool>& is_receiver, std::uint64_t budget, Lightmap& lightmap)
 {
     std::vector<glm::ivec2> sizes;
     std::vector<ObjectId> charted;
@@ -138,7 +147,7 @@ bool place_objects(const Scene& scene, std::uint64_t budget, Lightmap& lightmap)
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const Object& object = scene.objects[id];
         const LightmapLayout& layout = lightmap.layouts[object.mesh];
-        if (!takes_part_in_light(scene, id) || layout.is_empty()) continue;
+        if (!is_receiver[id] || layout.is_empty()) continue;
         LightmapPlace& place = lightmap.places[id];
         place.sides = scene.materials[object.material].is_double_sided ? 2 : 1;
         if (layout.is_per_vertex) {
@@ -195,15 +204,17 @@ LightmapLayout lay_out(const MeshData& mesh, double luxels_per_unit)
     return layout;
 }
 
-Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t budget)
+Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t budget,
+                       std::span<const ObjectId> receivers)
 {
+    const std::vector<bool> is_receiver = find_receivers(scene, receivers);
     for (double density = luxels_per_m; density > kLeastDensity; density *= kLessDense) {
         Lightmap lightmap;
         lightmap.luxels_per_m = density;
-        const std::vector<double> of_meshes = densities(scene, density);
+        const std::vector<double> of_meshes = densities(scene, is_receiver, density);
         for (std::size_t i = 0; i < scene.meshes.size(); ++i)
             lightmap.layouts.push_back(of_meshes[i] > 0.0 ? lay_out(scene.meshes[i], of_meshes[i]) : LightmapLayout{});
-        if (!place_objects(scene, budget, lightmap)) continue;
+        if (!place_objects(scene, is_receiver, budget, lightmap)) continue;
         if (density < luxels_per_m)
             log_info("Lightmap: " + std::to_string(density) + " luxels per metre instead of " +
                      std::to_string(luxels_per_m) + ", to keep the budget");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "world/lightmap.hpp"
 
 namespace hw {
@@ -15,7 +17,8 @@ LightmapLayout lay_out(const MeshData& mesh, double luxels_per_unit);
 
 /// The lightmap of a scene with layouts, places and a size, its luxels all dark.
 /// At most `budget` luxels and 4096 a side: the density is lowered until they suffice. Throws hw::Error when not even
-/// coarse ones do.
-Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t budget);
+/// coarse ones do. `receivers`: the objects that get a place; empty: all that take part in light.
+Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t budget,
+                       std::span<const ObjectId> receivers = {});
 
 }  // namespace hw

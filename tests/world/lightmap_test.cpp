@@ -237,6 +237,19 @@ TEST(plan_lightmap, only_static_opaque_or_masked_objects_take_part)
     EXPECT_TRUE(blended_luxels(lightmap, scene, {.object = 1}).empty());
 }
 
+TEST(plan_lightmap, only_receivers_get_a_place_where_some_are_named)
+{
+    Scene scene;
+    for (int i = 0; i < 3; ++i) add_box(scene, add_material(scene, 0.5f), {{i, 0, 0}, {i + 1, 1, 1}});
+    const std::vector<ObjectId> receivers{1};
+    const Lightmap lightmap = plan_lightmap(scene, 2.0, 100000, receivers);
+    EXPECT_EQ(lightmap.places[0].sides, 0);
+    EXPECT_EQ(lightmap.places[1].sides, 1);
+    EXPECT_EQ(lightmap.places[2].sides, 0);
+    EXPECT_LT(lightmap.luxels.size(), plan_lightmap(scene, 2.0, 100000).luxels.size());
+    EXPECT_EQ(lightmap_from_bytes(lightmap_bytes(lightmap), scene, "test"), lightmap);
+}
+
 TEST(light_samples, the_first_64_fall_one_each_into_8_by_8_cells)
 {
     for (const std::uint32_t seed : {1u, 77u}) {
