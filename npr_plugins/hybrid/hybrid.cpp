@@ -84,7 +84,7 @@ class Hybrid final : public hw::Style {
             hw::Uniforms uniforms;
             uniforms.set("ink_range", glm::vec3(range.from_m, range.to_m, gradient_ == kNone ? 0.0f : 1.0f))
                 .set("ink_weight", ink_weight_)
-                .set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, 90.0f, 0.5f))
+                .set("hatch_size_px", glm::vec4(spacing_px_, stroke_width_px_, 170.0f, 0.4f))
                 .set("hatch_directions", glm::vec4(direction(hatch_deg_), direction(hatch_deg_ + kCrossDeg)))
                 .set("tone_range", glm::vec4(darkness_, white_from_, shadow_below_, material_tone_))
                 .set("paper_colour", hw::linear_colour(tint_))
@@ -136,7 +136,7 @@ class Hybrid final : public hw::Style {
     int gradient_ = kObject, hatch_source_ = 0;
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
-    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.60f, white_from_ = 0.70f,
+    float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.66f, white_from_ = 0.72f,
           shadow_below_ = 0.26f;
     float light_response_ = 1.0f, material_tone_ = 0.15f, paper_from_material_ = 0.0f, ink_from_material_ = 0.0f;
     glm::vec3 uncertain_{1.0f};

@@ -15,13 +15,16 @@ uniform float light_response;    // 0: the mean tone everywhere, 1: as light fal
 uniform vec3 ink_fade;           // height where hatching begins to fade, where it is gone, 1 when it fades at all
 uniform vec2 ink_map_look;         // strength, and how much finer than one texel a pixel
 
-// Ink coverage that light of this tone (0 to 1) asks for on this material.
+// Ink coverage that light of this tone (0 to 1) asks for on this material. Straight from the light: a curve that is flat at
+// white would lose cast shadows on lit ground, the lightest shade there is. A hand leaves the lightest tones to the paper,
+// and its first strokes are strokes at once: so light ends at an edge, and not in a haze of hairlines.
 float hw_ink_of_light(float light)
 {
-    float lit = mix(0.5, smoothstep(tone_range.z, tone_range.y, light), light_response);
+    float lit = mix(0.5, clamp((light - tone_range.z) / max(tone_range.y - tone_range.z, 1e-3), 0.0, 1.0), light_response);
     float albedo = sqrt(clamp(hw_luminance(hw_mean_colour), 0.0, 1.0));
     float white = mix(1.0, min(albedo * 1.4, 1.0), tone_range.w);
-    return tone_range.x * max(1.06 * (1.0 - lit * white) - 0.06, 0.0);  // a hand leaves the lightest tones to the paper
+    float ink = tone_range.x * (1.0 - lit * white);
+    return ink * smoothstep(0.04, 0.085, ink);
 }
 
 float hw_hatching(HwSurface surface, float light)
@@ -38,7 +41,7 @@ float hw_hatching(HwSurface surface, float light)
                             turn * (surface.hatch_uv_dx * kHwUp), turn * (surface.hatch_uv_dy * kHwUp),
                             hw_ink_of_light(light));
 #elif defined(TONE_SHADED)
-    HwHand hand = HwHand(hatch_size_px.z, 5.0, hatch_size_px.w, 0.18);
+    HwHand hand = HwHand(hatch_size_px.z, 3.0, hatch_size_px.w, 0.18);
     HwHatching hatching = HwHatching(hatch_size_px.x, hatch_size_px.y, hatch_directions.xy, hatch_directions.zw, hand);
     return hw_tonal_hatching(surface, hatching, hw_ink_of_light(light));
 #else

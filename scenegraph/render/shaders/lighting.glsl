@@ -124,7 +124,7 @@ float hw_direct_gray(HwSurface s, vec3 n)
 vec3 hw_ambient(vec3 normal_world)
 {
 #if HW_LIGHT_COUNT > 0
-    vec3 brightest = vec3(0.0, 0.75, 0.0) - 0.5 * hw_light_direction[kHwMainLight].xyz;
+    vec3 brightest = vec3(0.0, 0.6, 0.0) - 0.8 * hw_light_direction[kHwMainLight].xyz;
 #else
     vec3 brightest = vec3(0.0, 1.0, 0.0);
 #endif
