@@ -156,6 +156,8 @@ class Studio:
         file = self.path("levels", f"{self.count}.level.json")
         with open(file, "w", encoding="utf-8") as out:
             json.dump(level, out)
+        if level["scene"] == "../models/hall.glb":
+            shutil.copy(os.path.join(ROOT, "content", "levels", "hall.level.json.lightmap"), file + ".lightmap")
         picture = self.path(f"{self.count}.png")
         # One picture is not worth compiling what is seen from where.
         self.run("render", file, *arguments, "--no-pvs", "--no-cache", "--size", size, "--out", picture)
@@ -184,7 +186,15 @@ def hall_in(style, **params):
     level = hall_level()
     level["styles"] = {"only": {"plugin": style, **params}}
     level["assign"] = [{"nodes": "*", "style": "only"}] + [rule for rule in level["assign"] if "materials" in rule]
-    level.pop("certainty_styles", None)
+    return level
+
+
+def hall_in_ink(**params):
+    """The hall as its level draws it in ink, what was found as well; `params` change all of its ink."""
+    level = hall_level()
+    inks = {name: {**style, **params} for name, style in level["styles"].items() if style["plugin"] == "pen_and_ink"}
+    level["styles"] = inks
+    level["assign"] = [rule for rule in level["assign"] if rule.get("style", "assumed") in inks]
     return level
 
 
@@ -383,25 +393,22 @@ def figure_13(studio):
 
 def figure_14(studio):
     camera = ("--camera", "statue")
-    plain = studio.render(hall_in("pen_and_ink", tone="plain", spacing_px=6), *camera, size="420x560")
-    shaded = studio.render(hall_in("pen_and_ink", **FORM), *camera, size="420x560")
+    plain = studio.render(hall_in_ink(tone="plain", spacing_px=6), *camera, size="420x560")
+    shaded = studio.render(hall_in_ink(), *camera, size="420x560")
     return beside([framed(plain), framed(shaded)])
-
-
-FORM = {"white_from": 0.8, "shadow_below": 0.3, "darkness": 0.65}  # light that models
 
 
 def figure_15(studio):
     """Left ordinary levels, right ink maps, of the roofs and walls of one view."""
     camera = ("--camera", "courtyard")
-    right = studio.render(hall_in("pen_and_ink", tone="none"), *camera, size="800x520")
+    right = studio.render(hall_in_ink(tone="none"), *camera, size="800x520")
     for name in os.listdir(studio.path("maps", "ink")):
         folder = studio.path("maps", "ink", name)
         for number, (width, height, rows) in enumerate(box_filtered(map_levels(folder))):
             gray = [bytearray(value for texel_value in row for value in (round(255 * texel_value),) * 3) for row in rows]
             if os.path.exists(os.path.join(folder, f"level_{number}.png")):
                 write_png_quietly(os.path.join(folder, f"level_{number}.png"), (width, height, gray))
-    left = studio.render(hall_in("pen_and_ink", tone="none"), *camera, size="800x520")
+    left = studio.render(hall_in_ink(tone="none"), *camera, size="800x520")
     return framed(beside([part(left, 0, 0, 400, 520), part(right, 400, 0, 400, 520)], 0))
 
 
@@ -422,31 +429,62 @@ def model_level(studio, model, style, light, exposure_ev):
             "lights": [{"type": "sun", "direction": light, "illuminance_lux": 50000}]}
 
 
+def on_ground(studio, model, side_m=60.0):
+    """A copy of a model with level ground at height 0, a node "Ground" of its own: what shadows fall on."""
+    with open(model, "rb") as file:
+        data = file.read()
+    length = struct.unpack("<I", data[12:16])[0]
+    scene, binary = json.loads(data[20:20 + length]), data[28 + length:]
+    binary += b"\0" * (-len(binary) % 4)
+    h, start = side_m / 2, len(binary)
+    binary += struct.pack("<12f", -h, 0, h, h, 0, h, h, 0, -h, -h, 0, -h) + struct.pack("<12f", *([0, 1, 0] * 4))
+    binary += struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    views, accessors = scene["bufferViews"], scene["accessors"]
+    for offset, size, component, kind, count in ((0, 48, 5126, "VEC3", 4), (48, 48, 5126, "VEC3", 4), (96, 12, 5123, "SCALAR", 6)):
+        views.append({"buffer": 0, "byteOffset": start + offset, "byteLength": size})
+        accessors.append({"bufferView": len(views) - 1, "componentType": component, "type": kind, "count": count})
+    first = len(accessors) - 3
+    accessors[first].update({"min": [-h, 0, -h], "max": [h, 0, h]})
+    scene["meshes"].append({"primitives": [{"attributes": {"POSITION": first, "NORMAL": first + 1}, "indices": first + 2}]})
+    scene["nodes"].append({"name": "Ground", "mesh": len(scene["meshes"]) - 1})
+    scene["scenes"][0]["nodes"].append(len(scene["nodes"]) - 1)
+    scene["buffers"][0]["byteLength"] = len(binary)
+    text = json.dumps(scene).encode()
+    text += b" " * (-len(text) % 4)
+    file_name = studio.path("on_ground.glb")
+    with open(file_name, "wb") as file:
+        file.write(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(binary)) + struct.pack("<II", len(text), 0x4E4F534A)
+                   + text + struct.pack("<II", len(binary), 0x004E4942) + binary)
+    return file_name
+
+
 def teapot(studio, model):
-    level = model_level(studio, model, {"hatch_direction": "principal", "hatch_deg": 0, "cross_deg": 62, "white_from": 0.95,
-                                        "shadow_below": 0.2, "darkness": 0.75, "stroke_width_px": 0.9, "stroke_length_px": 60,
-                                        "crease_deg": 60}, [-0.75, -0.75, -0.35], 14.3)
-    return studio.render(level, size="1000x640")
+    tone = {"white_from": 0.84, "shadow_below": 0.3, "darkness": 0.74}
+    form = {"hatch_direction": "principal", "hatch_deg": 0, "cross_deg": 62, "crease_deg": 60, "silhouette_width_px": 2.2}
+    level = model_level(studio, on_ground(studio, model), {**tone, **form}, [-0.75, -0.62, -0.25], 14.3)
+    level["styles"]["ground"] = {"plugin": "pen_and_ink", **tone, "border_width_px": 0, "silhouette_width_px": 0,
+                                 "intersection_width_px": 0, "hatch_deg": 12, "cross_deg": 40}
+    level["assign"].append({"nodes": "Ground", "style": "ground"})
+    camera = ("--eye", "6.6,5.1,9.6", "--target", "-0.15,1.35,0", "--fov-deg", "22.5")
+    return studio.render(level, *camera, size="1000x640")
 
 
 def dungeon(studio, model):
-    level = model_level(studio, model, {"white_from": 0.92, "shadow_below": 0.3, "darkness": 0.72, "cross_deg": 80},
-                        [-0.45, -0.8, 0.42], 14.2)
-    picture = studio.render(level, "--eye", "20.5,3.4,9.5", "--target", "14,0.2,1", "--fov-deg", "58", size="1000x640")
-    return framed(picture)
+    level = model_level(studio, model, {"white_from": 0.78, "shadow_below": 0.28, "darkness": 0.7, "cross_deg": 80}, [-0.45, -0.8, 0.42], 14.2)
+    return framed(studio.render(level, "--eye", "20.5,3.4,9.5", "--target", "14,0.2,1", "--fov-deg", "58", size="1000x640"))
 
 
 # ---- Contact sheets ---------------------------------------------------------------------------------------------------
 
 SHEET_SIZE = "296x200"
 SHEET_CAMERA = ("--eye", "12.6,1.6,-1.4", "--target", "15.7,1.45,-3.7", "--fov-deg", "52")
-SHEET_LIGHT = {"white_from": 0.86, "shadow_below": 0.3}  # more shade than by default, to show what shades
+SHEET_LIGHT = {"white_from": 0.8, "shadow_below": 0.3}  # more shade than by default, to show what shades
 INK_CONTROLS = {
     "colours": [{}, {"paper_colour": "#f3ead2", "uncertain_colour": "#f3ead2", "ink_colour": "#4a2c12", "crease_colour": "#4a2c12", "hatch_colour": "#6b4a2a"},
                 {"paper_colour": "#1d3350", "uncertain_colour": "#1d3350", "ink_colour": "#f2f2ea", "crease_colour": "#f2f2ea", "hatch_colour": "#c9d2da"}],
     "from_material": [{}, {"paper_from_material": 0.8}, {"ink_from_material": 1}],
     "certainty": [{}, {"uncertain_colour": "#cfe0f2"}, {"uncertain_colour": "#f4c9a8"}],
-    "tone_range": [{"white_from": 0.6, "shadow_below": 0.1}, {}, {"white_from": 1, "shadow_below": 0.4, "darkness": 0.75}],
+    "tone_range": [{"white_from": 0.6, "shadow_below": 0.1}, {}, {"white_from": 1, "shadow_below": 0.4, "darkness": 0.8}],
     "light_response": [{"light_response": 0}, {"light_response": 0.5}, {}],
     "fade": [{}, {"fade": "height", "fade_from_m": 0.3, "fade_to_m": 2.2},
              {"fade": "height", "fade_from_m": 2.2, "fade_to_m": 0.3}],
@@ -462,7 +500,7 @@ HYBRID_CONTROLS = {
     "tint": [{}, {"tint": "#cfe0f2"}, {"tint": "#f4c9a8"}],
     "colours": [{}, {"ink_colour": "#4a2c12", "hatch_colour": "#6b4a2a", "tint": "#f3ead2", "uncertain_colour": "#f3ead2"}, {"paper_from_material": 0.8}],
     "certainty": [{}, {"uncertain_colour": "#cfe0f2"}, {"uncertain_colour": "#f4c9a8"}],
-    "tone_range": [{"white_from": 0.6, "shadow_below": 0.1}, {}, {"white_from": 1, "shadow_below": 0.4, "darkness": 0.75}],
+    "tone_range": [{"white_from": 0.6, "shadow_below": 0.1}, {}, {"white_from": 1, "shadow_below": 0.4, "darkness": 0.8}],
     "light_response": [{"light_response": 0}, {"light_response": 0.5}, {}],
     "hatch_direction": [{"hatch_deg": 0}, {}, {"hatch_direction": "principal", "hatch_deg": 0}],
 }
@@ -482,22 +520,21 @@ def contact_sheets(studio):
 
 OURS = {"4": figure_4, "5": figure_5, "7": figure_7, "8": figure_8, "9": figure_9, "9_plane": figure_9_plane, "11": figure_11,
         "12": figure_12, "13": figure_13, "14": figure_14, "15": figure_15}
+
+
 def readme_pictures(studio):
     """The hall in each style, as its level says, and its courtyard."""
     entrance = ("--camera", "entrance")
     pictures = os.path.join(ROOT, "docs", "pictures")
-    for name in ("pen_and_ink", "hybrid", "photoreal"):
-        params = {"gradient": "height", "from_m": 0.5, "to_m": 4} if name == "hybrid" else {}
-        write_png(os.path.join(pictures, f"{name}.png"), studio.render(hall_in(name, **params), *entrance, size="960x600"))
+    fading = hall_in("hybrid", gradient="height", from_m=0.5, to_m=4, white_from=0.64, shadow_below=0.14, darkness=0.74)
+    for name, level in (("pen_and_ink", hall_in_ink()), ("hybrid", fading), ("photoreal", hall_in("photoreal"))):
+        write_png(os.path.join(pictures, f"{name}.png"), studio.render(level, *entrance, size="960x600"))
     write_png(os.path.join(pictures, "hall.png"), studio.render(hall_level(), *entrance, size="1280x720"))
-    write_png(os.path.join(pictures, "courtyard.png"), studio.render(hall_in("pen_and_ink", **SHADY), "--camera", "courtyard",
-                                                                     size="1000x640"))
-    page = os.path.join(ROOT, "npr_plugins", "pen_and_ink")
-    write_png(os.path.join(page, "hall.png"), studio.render(hall_in("pen_and_ink"), *entrance, size="960x600"))
-    shutil.copy(os.path.join(pictures, "courtyard.png"), os.path.join(page, "courtyard.png"))
+    write_png(os.path.join(pictures, "courtyard.png"), studio.render(hall_in_ink(), "--camera", "courtyard", size="1000x640"))
+    for style, name, picture in (("pen_and_ink", "hall", "pen_and_ink"), ("pen_and_ink", "courtyard", "courtyard"),
+                                 ("hybrid", "hybrid", "hybrid"), ("photoreal", "photoreal", "photoreal")):
+        shutil.copy(os.path.join(pictures, f"{picture}.png"), os.path.join(ROOT, "npr_plugins", style, f"{name}.png"))
 
-
-SHADY = {"white_from": 0.86, "shadow_below": 0.28, "darkness": 0.66}  # outside, in the sun, shade may be dark
 
 MODELS = {"teapot": teapot, "dungeon": dungeon}
 

@@ -138,7 +138,7 @@ class Hybrid final : public hw::Style {
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.66f, white_from_ = 0.72f,
           shadow_below_ = 0.26f;
-    float light_response_ = 1.0f, material_tone_ = 0.15f, paper_from_material_ = 0.0f, ink_from_material_ = 0.0f;
+    float light_response_ = 1.0f, material_tone_ = 0.1f, paper_from_material_ = 0.0f, ink_from_material_ = 0.0f;
     glm::vec3 uncertain_{1.0f};
     hw::Program program_;
 };

@@ -203,7 +203,7 @@ class PenAndInk final : public hw::Style {
     float light_response_ = 1.0f, fade_from_m_ = 0.5f, fade_to_m_ = 1.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, stroke_length_px_ = 170.0f, wobble_px_ = 0.4f;
     float hatch_deg_ = 52.0f, cross_deg_ = 70.0f;
-    float darkness_ = 0.66f, white_from_ = 0.72f, shadow_below_ = 0.26f, material_tone_ = 0.15f, shade_ = 0.0f;
+    float darkness_ = 0.66f, white_from_ = 0.72f, shadow_below_ = 0.26f, material_tone_ = 0.1f, shade_ = 0.0f;
     glm::vec3 paper_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f}, uncertain_{1.0f};
     float paper_from_material_ = 0.0f, ink_from_material_ = 0.0f, ink_map_strength_ = 1.0f, ink_map_detail_ = 0.9f;
     hw::MapName hatch_{"fine"}, tonal_, ink_map_;
