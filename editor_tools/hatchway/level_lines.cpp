@@ -1,6 +1,7 @@
 #include "hatchway/level_lines.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -56,6 +57,22 @@ const char* line_type_name(VisibleLineClass line_class)
     constexpr std::array<const char*, kLineClassCount> kNames{"silhouette", "ridge",  "valley",
                                                               "border",     "artist", "intersection"};
     return kNames[static_cast<std::size_t>(line_class)];
+}
+
+std::vector<VisibleLine> timed_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
+                                             const VisibleLineOptions& options, int runs, double& seconds)
+{
+    std::vector<VisibleLine> lines;
+    std::vector<double> times_s;
+    for (int run = 0; run < std::max(runs, 1); ++run) {
+        const auto start = std::chrono::steady_clock::now();
+        lines = find_visible_lines(objects, camera, options);
+        times_s.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    const auto middle = times_s.begin() + static_cast<std::ptrdiff_t>(times_s.size() / 2);
+    std::nth_element(times_s.begin(), middle, times_s.end());
+    seconds = *middle;
+    return lines;
 }
 
 LevelLines::LevelLines(const Scene& scene, std::vector<ObjectInk> inks, std::optional<float> crease_rad)

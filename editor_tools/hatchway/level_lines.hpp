@@ -45,6 +45,10 @@ class LevelLines {
     std::vector<float> mean_length_m_;  ///< Of an object's lines, world space: what the far policy goes by.
 };
 
+/// find_visible_lines(), so many times; `seconds` gets the median time.
+std::vector<VisibleLine> timed_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
+                                             const VisibleLineOptions& options, int runs, double& seconds);
+
 const char* line_type_name(VisibleLineClass line_class);
 
 }  // namespace hw

@@ -4,25 +4,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 
 #include "core/progress.hpp"
-#include "geometry/intersections.hpp"
 #include "gl/context.hpp"
 #include "hatchway/arguments.hpp"
-#include "hatchway/level_lines.hpp"
 #include "hatchway/option_rules.hpp"
 #include "hatchway/output_files.hpp"
 #include "io/images.hpp"
 #include "io/json_out.hpp"
+#include "measure/exact_lines.hpp"
 #include "measure/line_error.hpp"
 #include "measure/measures.hpp"
 #include "plugin_host/make_style.hpp"
 #include "render/renderer.hpp"
-#include "walk/level_world.hpp"
-#include "walk/whole_scene.hpp"
-#include "world/camera_path.hpp"
 
 namespace hw {
 namespace {
@@ -87,62 +82,31 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& rende
     return style;
 }
 
-/// The same for the exact drawing.
-std::vector<ObjectInk> all_inked(const Scene& scene)
-{
-    const ObjectInk ink{.is_used = true,
-                        .crease_rad = static_cast<float>(glm::radians(kCreaseDeg)),
-                        .has_intersections = true,
-                        .looks = {{}}};
-    return std::vector<ObjectInk>(scene.objects.size(), ink);
-}
-
 /// A level or model in lines, and its exact drawing.
 class MeasuredScene {
  public:
     MeasuredScene(const std::filesystem::path& file, const PluginRegistry& plugins, Renderer& renderer)
-        : renderer_(renderer),
-          level_(read_level_with(file, {})),
-          world_(open_world(level_, nullptr)),
-          style_(line_style(plugins, renderer)),
-          exact_(world_->scene, all_inked(world_->scene), {}),
-          cuts_(find_intersections(exact_.objects()))
+        : renderer_(renderer), exact_(file, kCreaseDeg), style_(line_style(plugins, renderer))
     {
         SceneInput input;
-        input.scene = &world_->scene;
+        input.scene = &scene();
         input.styles = {{"lines", style_.get()}};
-        input.objects.resize(world_->scene.objects.size());
+        input.objects.resize(scene().objects.size());
         for (StyledObject& object : input.objects) object.style = 0;
-        input.chunks = world_->chunks;
+        input.chunks = exact_.world().chunks;
         input.background_srgb = glm::vec3(1.0f);
         renderer.load(std::move(input));
     }
 
-    const Scene& scene() const { return world_->scene; }
+    const Scene& scene() const { return exact_.scene(); }
+    std::vector<CameraPlace> cameras(int count, double aspect) const { return exact_.cameras(count, aspect); }
 
-    /// The level's cameras; around the scene where it has none.
-    std::vector<CameraPlace> cameras(int count, double aspect) const
-    {
-        std::vector<CameraPlace> places;
-        const auto add = [&](const Camera& c) { places.push_back({c.eye_world, c.target_world, c.fov_deg}); };
-        for (const auto& [name, camera] : level_.cameras)
-            if (static_cast<int>(places.size()) < count) add(camera);
-        if (!places.empty()) return places;
-        const CameraPath around = turntable(scene(), aspect);
-        for (int i = 0; i < count; ++i) add(camera_at(around, around.keys.back().t_s * (i + 0.15) / count));
-        return places;
-    }
-
+    /// Adds what finding the lines costs to `seconds`.
     std::vector<WantedLine> wanted(const CameraPlace& camera, glm::ivec2 size, double& seconds) const
     {
-        const auto start = std::chrono::steady_clock::now();
-        const LineCamera line_camera{.eye_world = camera.eye_world,
-                                     .target_world = camera.target_world,
-                                     .fov_rad = glm::radians(camera.fov_deg),
-                                     .size_px = size};
-        const std::vector<VisibleLine> lines =
-            find_visible_lines(exact_.objects(), line_camera, {.intersections = cuts_});
-        seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        double own_s = 0.0;
+        const std::vector<VisibleLine> lines = exact_.find(camera, size, &own_s);
+        seconds += own_s;
         std::vector<WantedLine> wanted;
         for (const VisibleLine& line : lines) {
             const bool is_contour =
@@ -162,11 +126,8 @@ class MeasuredScene {
 
  private:
     Renderer& renderer_;
-    Level level_;
-    std::shared_ptr<const LevelWorld> world_;
+    ExactLines exact_;
     std::unique_ptr<Style> style_;
-    LevelLines exact_;
-    std::vector<IntersectionLine> cuts_;
 };
 
 /// The drawing in grey, ink that leaked in red, lines that are missed in blue.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,16 +12,29 @@
 
 namespace hw {
 
-/// Square cells over the picture, each with the numbers of what may touch it.
+/// A box in the picture, pixels.
+struct ImageBox {
+    double left, right, top, bottom;
+};
+
+/// Square cells over the picture, each with the numbers of what may touch it. Only cells that were marked beforehand
+/// take anything: a drawing asks where its lines are, and that is a small part of a picture.
 class ImageGrid {
  public:
     ImageGrid(glm::dvec2 size_px, double cell_px);
+
+    /// Marks the cells that a segment may touch, and how far away it is there. Before end_marks().
+    void mark(const ImagePoint& from, const ImagePoint& to);
+    void end_marks();
+    /// Whether a box may touch a marked cell, after end_marks().
+    bool has_marks(const ImageBox& box) const;
 
     /// Calls `visit(cell)` for the cells that a segment may touch, row by row; nothing outside of the picture.
     template <typename Visit>
     void for_each_cell(const ImagePoint& from, const ImagePoint& to, Visit&& visit) const;
 
-    /// Puts items into cells: `cells_of(item, visit)` names the cells of each. Twice called for each item.
+    /// Puts items into marked cells whose segments are not all nearer: `cells_of(item, visit)` calls
+    /// `visit(cell, nearest)` for the cells of each and how near it comes. Twice called for each item.
     template <typename CellsOf>
     void fill(std::uint32_t item_count, CellsOf&& cells_of);
 
@@ -37,19 +51,25 @@ class ImageGrid {
 
  private:
     static constexpr double kSlackPx = 1e-6;
+    static constexpr double kDepthSlack = 2e-6;  ///< Relative: more than rounds of floats and ties of contours.
 
     std::uint32_t column(double x) const { return place(x, columns_); }
     std::uint32_t row(double y) const { return place(y, rows_); }
+    /// Whatever is below 0 is in the first cell: conversion to whole numbers rounds toward it.
     std::uint32_t place(double at, std::uint32_t count) const
     {
-        const double cell = std::floor(at / cell_px_);
-        return static_cast<std::uint32_t>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));
+        return static_cast<std::uint32_t>(std::clamp(at * cells_per_px_, 0.0, static_cast<double>(count - 1)));
     }
+    /// Large, and nothing comes so near, where there is no mark.
+    static constexpr float kNoMark = std::numeric_limits<float>::infinity();
 
     glm::dvec2 size_px_;
     double cell_px_;
+    double cells_per_px_;
     std::uint32_t columns_;
     std::uint32_t rows_;
+    std::vector<float> marks_;              ///< z of the farthest point of a segment, or kNoMark.
+    std::vector<std::uint32_t> mark_sums_;  ///< Marked cells above and left of a cell's corner, a row and column more.
     std::vector<std::uint32_t> begin_;
     std::vector<std::uint32_t> items_;
 };
@@ -57,9 +77,41 @@ class ImageGrid {
 inline ImageGrid::ImageGrid(glm::dvec2 size_px, double cell_px)
     : size_px_(size_px),
       cell_px_(cell_px),
+      cells_per_px_(1.0 / cell_px),
       columns_(static_cast<std::uint32_t>(std::ceil(size_px.x / cell_px))),
-      rows_(static_cast<std::uint32_t>(std::ceil(size_px.y / cell_px)))
+      rows_(static_cast<std::uint32_t>(std::ceil(size_px.y / cell_px))),
+      marks_(std::size_t{columns_} * rows_, kNoMark)
 {
+}
+
+inline void ImageGrid::mark(const ImagePoint& from, const ImagePoint& to)
+{
+    const auto farthest = static_cast<float>(std::min(from.z, to.z) * (1.0 - kDepthSlack));
+    for_each_cell(from, to, [&](std::uint32_t cell) { marks_[cell] = std::min(marks_[cell], farthest); });
+}
+
+inline void ImageGrid::end_marks()
+{
+    const std::size_t stride = columns_ + 1;
+    mark_sums_.assign(stride * (rows_ + 1), 0);
+    for (std::uint32_t r = 0; r < rows_; ++r) {
+        std::uint32_t in_row = 0;
+        for (std::uint32_t c = 0; c < columns_; ++c) {
+            in_row += marks_[std::size_t{r} * columns_ + c] != kNoMark;
+            mark_sums_[(r + 1) * stride + c + 1] = mark_sums_[r * stride + c + 1] + in_row;
+        }
+    }
+}
+
+inline bool ImageGrid::has_marks(const ImageBox& box) const
+{
+    if (box.bottom < -kSlackPx || box.top > size_px_.y + kSlackPx) return false;
+    if (box.right < -kSlackPx || box.left > size_px_.x + kSlackPx) return false;
+    const std::size_t stride = columns_ + 1;
+    const std::uint32_t* const above = &mark_sums_[row(box.top - kSlackPx) * stride];
+    const std::uint32_t* const below = &mark_sums_[(row(box.bottom + kSlackPx) + 1) * stride];
+    const std::uint32_t left = column(box.left - kSlackPx), right = column(box.right + kSlackPx) + 1;
+    return below[right] - below[left] != above[right] - above[left];
 }
 
 template <typename Visit>
@@ -117,13 +169,15 @@ void ImageGrid::fill(std::uint32_t item_count, CellsOf&& cells_of)
 {
     begin_.assign(std::size_t{columns_} * rows_ + 1, 0);
     for (std::uint32_t item = 0; item < item_count; ++item) {
-        cells_of(item, [&](std::uint32_t cell) { ++begin_[cell + 1]; });
+        cells_of(item, [&](std::uint32_t cell, float nearest) { begin_[cell + 1] += nearest >= marks_[cell]; });
     }
     for (std::size_t cell = 1; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
     items_.resize(begin_.back());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::uint32_t item = 0; item < item_count; ++item) {
-        cells_of(item, [&](std::uint32_t cell) { items_[next[cell]++] = item; });
+        cells_of(item, [&](std::uint32_t cell, float nearest) {
+            if (nearest >= marks_[cell]) items_[next[cell]++] = item;
+        });
     }
 }
 

@@ -1,5 +1,6 @@
 #include "geometry/image_space.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -43,6 +44,32 @@ std::optional<ImageSpace::Clipped> ImageSpace::clipped(const glm::dvec3& from, c
     (from.z < near_m_ ? result.from : result.to) = glm::dvec3(cut.x, cut.y, near_m_);
     (from.z < near_m_ ? result.is_from_clipped : result.is_to_clipped) = true;
     return result;
+}
+
+std::optional<ImageLine> part_in_picture(const ImageSpace& space, const glm::dvec3& from_view,
+                                         const glm::dvec3& to_view)
+{
+    const auto part = space.clipped(from_view, to_view);
+    if (!part) return std::nullopt;
+    const ImagePoint from = space.project(part->from), to = space.project(part->to);
+    const glm::dvec2 size = space.size_px();
+    const ImagePoint direction = to - from;
+    double begin = 0.0, end = 1.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double at = from[axis], step = direction[axis];
+        if (step == 0.0) {
+            if (at < 0.0 || at > size[axis]) return std::nullopt;
+            continue;
+        }
+        const double enter = (step > 0.0 ? -at : size[axis] - at) / step;
+        const double leave = (step > 0.0 ? size[axis] - at : -at) / step;
+        begin = std::max(begin, enter);
+        end = std::min(end, leave);
+    }
+    const ImageLine seen{begin > 0.0 ? from + begin * direction : from, end < 1.0 ? from + end * direction : to,
+                         !part->is_from_clipped && begin == 0.0, !part->is_to_clipped && end == 1.0};
+    if (begin >= end || glm::dvec2(seen.from) == glm::dvec2(seen.to)) return std::nullopt;
+    return seen;
 }
 
 void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& corners_view,

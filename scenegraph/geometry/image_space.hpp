@@ -48,6 +48,18 @@ class ImageSpace {
     double near_m_ = 0.01;
 };
 
+/// What the picture shows of a straight line.
+struct ImageLine {
+    ImagePoint from{0.0};
+    ImagePoint to{0.0};
+    bool is_from_whole = true;  ///< `from` is the line's own end, not where it was cut off.
+    bool is_to_whole = true;
+};
+
+/// Cuts a line at the near plane and at the picture's frame; nothing when no length of it is left.
+std::optional<ImageLine> part_in_picture(const ImageSpace& space, const glm::dvec3& from_view,
+                                         const glm::dvec3& to_view);
+
 /// A face in image space that can hide lines.
 struct ImageTriangle {
     std::array<ImagePoint, 3> corners;

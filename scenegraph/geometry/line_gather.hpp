@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,16 +10,15 @@
 
 namespace hw {
 
-/// A straight line of the drawing before its hidden parts are removed.
+/// A straight line of the drawing before its hidden parts are removed: what the picture shows of it.
 struct DrawnLine {
     std::uint32_t object = 0;
     VisibleLineClass line_class = VisibleLineClass::silhouette;
     /// Of the surface, or joints of intersections; kFreeEnd where it is a part of an edge.
     std::array<std::uint32_t, 2> vertices{};
     std::array<std::uint32_t, 2> faces{};  ///< Numbers among all faces; kNoFace where there is none.
-    glm::dvec3 from_view{0.0};
-    glm::dvec3 to_view{0.0};
-    bool is_edge = true;  ///< A whole edge of the object's surface.
+    ImageLine image;
+    bool is_edge = true;  ///< An edge of the object's surface, or what the picture shows of one.
 };
 
 /// A line at which visibility can change behind it.
@@ -27,17 +27,24 @@ struct ContourLine {
     ImagePoint to{0.0};
 };
 
-/// An object as exact predicates need it.
+/// An object as the picture shows it. Spans are parts of the drawing's vectors.
 struct DrawnObject {
     const Surface* surface = nullptr;
     Viewpoint eye_object;
     std::uint32_t first_face = 0;  ///< The number of its face 0 among all.
+    bool hides = false;
+    bool is_in_picture = false;        ///< Else nothing more is known of it.
+    std::span<glm::dvec3> view;        ///< Of each position, view space.
+    std::span<ImagePoint> image;       ///< ... of those before the near plane.
+    std::span<std::uint8_t> is_there;  ///< Of each face, where those that look away are not there; else empty.
 };
 
-/// All that a drawing is made from, in the order of the objects.
+/// All that a drawing is made from, in the order of the objects. Moves keep the spans.
 struct LineDrawing {
+    std::vector<glm::dvec3> view;
+    std::vector<ImagePoint> image;
+    std::vector<std::uint8_t> is_there;
     std::vector<DrawnObject> objects;
-    std::vector<ImageTriangle> triangles;
     std::vector<ContourLine> contours;
     std::vector<DrawnLine> lines;
 };

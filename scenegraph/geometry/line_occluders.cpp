@@ -4,6 +4,8 @@
 // that is decided; the rest goes to the exact predicates, on the positions as the object has them.
 #include "geometry/line_occluders.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include "geometry/predicates.hpp"
 
 namespace hw {
@@ -13,6 +15,7 @@ constexpr double kContactTolerance = 2e-7;  // relative to the distance: objects
 constexpr double kEndSlack = 1e-7;          // a face that is met this close to an end of a line cuts off nothing
 constexpr double kPlaceError = 1e-14;       // relative: 90 units in the last place
 constexpr double kDepthError = 1e-14;
+constexpr std::uint32_t kFacesPerTask = 2048;
 
 /// Where a point of the picture lies in a triangle: twice the areas opposite to c, a and b.
 struct Sides {
@@ -41,6 +44,68 @@ bool is_own(const DrawnLine& line, const ImageTriangle& triangle)
     return triangle.face == line.faces[0] || triangle.face == line.faces[1];
 }
 
+/// Cells about as large as triangles where those are small, never finer than the lists are worth.
+double cell_px(const LineDrawing& drawing, const ImageSpace& space)
+{
+    double faces = 1.0;
+    for (const DrawnObject& object : drawing.objects)
+        if (object.is_in_picture && object.hides) faces += static_cast<double>(object.surface->faces.size());
+    return std::clamp(std::sqrt(0.5 * space.size_px().x * space.size_px().y / faces), 3.0, 16.0);
+}
+
+/// Faces of one object that are looked at in one task.
+struct FaceRun {
+    std::uint32_t object = 0;
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+};
+
+std::vector<FaceRun> face_runs(const LineDrawing& drawing)
+{
+    std::vector<FaceRun> runs;
+    for (std::uint32_t i = 0; i < drawing.objects.size(); ++i) {
+        const DrawnObject& object = drawing.objects[i];
+        if (!object.is_in_picture || !object.hides) continue;
+        const auto count = static_cast<std::uint32_t>(object.surface->faces.size());
+        for (std::uint32_t begin = 0; begin < count; begin += kFacesPerTask)
+            runs.push_back({i, begin, std::min(begin + kFacesPerTask, count)});
+    }
+    return runs;
+}
+
+ImageBox box_of(const ImagePoint& p, const ImagePoint& q, const ImagePoint& r)
+{
+    return {std::min({p.x, q.x, r.x}), std::max({p.x, q.x, r.x}), std::min({p.y, q.y, r.y}), std::max({p.y, q.y, r.y})};
+}
+
+/// What is selected from a run.
+struct RunSelection {
+    std::uint32_t count = 0;             ///< Whole faces.
+    std::vector<ImageTriangle> at_near;  ///< What is left of faces that the near plane cuts: few.
+    std::size_t first = 0;               ///< Its place among all.
+};
+
+/// Finds the faces of a run that touch marked cells and writes the numbers of the whole ones into `whole`.
+RunSelection select_run(const FaceRun& run, const DrawnObject& object, const ImageSpace& space, const ImageGrid& grid,
+                        std::uint32_t* whole)
+{
+    RunSelection selected;
+    const auto is_before = [&](std::uint32_t position) { return object.view[position].z >= space.near_m(); };
+    for (std::uint32_t face = run.begin; face < run.end; ++face) {
+        if (!object.is_there.empty() && object.is_there[face] == 0) continue;
+        const auto& [a, b, c] = object.surface->faces[face];
+        if (!is_before(a) || !is_before(b) || !is_before(c)) {
+            append_triangles(space, {object.view[a], object.view[b], object.view[c]},
+                             {{}, object.first_face + face, run.object}, selected.at_near);
+            continue;
+        }
+        const ImagePoint &p = object.image[a], &q = object.image[b], &r = object.image[c];
+        if (!grid.has_marks(box_of(p, q, r)) || side_of(p, q, r.x, r.y) == 0.0) continue;
+        whole[selected.count++] = face;
+    }
+    return selected;
+}
+
 /// Longest side, as the sum of its two extents.
 double reach_of(const ImageTriangle& triangle)
 {
@@ -54,36 +119,67 @@ double reach_of(const ImageTriangle& triangle)
 
 LineOccluders::LineOccluders(const LineDrawing& drawing, const ImageSpace& space)
     : drawing_(drawing),
-      // About one triangle a cell where triangles are small, never finer than the lists are worth.
-      cell_px_(std::clamp(std::sqrt(2.0 * space.size_px().x * space.size_px().y /
-                                    std::max<double>(1.0, static_cast<double>(drawing.triangles.size()))),
-                          4.0, 32.0)),
+      space_(space),
       place_error_px_(kPlaceError * (space.focal_px() + space.size_px().x + space.size_px().y)),
-      grid_(space.size_px(), cell_px_)
+      grid_(space.size_px(), cell_px(drawing, space))
 {
 }
 
 void LineOccluders::fill()
 {
-    bounds_.reserve(drawing_.triangles.size());
-    for (const ImageTriangle& t : drawing_.triangles) {
-        bounds_.push_back(ImageBounds::of({t.corners[0], t.corners[1], t.corners[2]}));
-    }
-    grid_.fill(static_cast<std::uint32_t>(drawing_.triangles.size()),
-               [&](std::uint32_t i, auto&& visit) { grid_.for_each_cell(drawing_.triangles[i], visit); });
+    for (const DrawnLine& line : drawing_.lines) grid_.mark(line.image.from, line.image.to);
+    grid_.end_marks();
+    select_faces();
+    grid_.fill(static_cast<std::uint32_t>(triangles_.size()), [&](std::uint32_t i, auto&& visit) {
+        grid_.for_each_cell(triangles_[i], [&](std::uint32_t cell) { visit(cell, bounds_[i].nearest); });
+    });
 }
 
-void LineOccluders::cut(const ImagePoint& from, const ImagePoint& to, const ImageBounds& bounds, float farthest,
+// In two steps, so that what is large is allocated once, in its size.
+void LineOccluders::select_faces()
+{
+    const std::vector<FaceRun> runs = face_runs(drawing_);
+    std::vector<RunSelection> selected(runs.size());
+    std::vector<std::uint32_t> faces(runs.size() * kFacesPerTask);
+    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
+        selected[i] = select_run(runs[i], drawing_.objects[runs[i].object], space_, grid_, &faces[i * kFacesPerTask]);
+    });
+    std::size_t count = 0;
+    for (RunSelection& run : selected) {
+        run.first = count;
+        count += run.count + run.at_near.size();
+    }
+    triangles_.resize(count);
+    bounds_.resize(count);
+    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
+        const DrawnObject& object = drawing_.objects[runs[i].object];
+        std::size_t to = selected[i].first;
+        const auto put = [&](const ImageTriangle& triangle) {
+            const auto& [a, b, c] = triangle.corners;
+            bounds_[to] = ImageBounds::of({a, b, c});
+            triangles_[to++] = triangle;
+        };
+        for (std::uint32_t k = 0; k < selected[i].count; ++k) {
+            const std::uint32_t face = faces[i * kFacesPerTask + k];
+            const auto& [a, b, c] = object.surface->faces[face];
+            put({{object.image[a], object.image[b], object.image[c]}, object.first_face + face, runs[i].object});
+        }
+        for (const ImageTriangle& triangle : selected[i].at_near) put(triangle);
+    });
+}
+
+void LineOccluders::cut(const ImageLine& line, const ImageBounds& bounds, float farthest, SeenItems& seen,
                         std::vector<double>& cuts) const
 {
-    grid_.for_each_cell(from, to, [&](std::uint32_t cell) {
+    seen.begin_line(triangles_.size());
+    grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
         for (const std::uint32_t item : grid_.items(cell)) {
-            if (!bounds_[item].can_change(bounds, farthest)) continue;
-            const ImageTriangle& triangle = drawing_.triangles[item];
-            const double a = before(triangle, from), b = before(triangle, to);
+            if (!bounds_[item].can_change(bounds, farthest) || !seen.is_first(item)) continue;
+            const ImageTriangle& triangle = triangles_[item];
+            const double a = before(triangle, line.from), b = before(triangle, line.to);
             const double t = a / (a - b);
             if (!(t > kEndSlack && t < 1.0 - kEndSlack)) continue;
-            const ImagePoint at = glm::mix(from, to, t);
+            const ImagePoint at = glm::mix(line.from, line.to, t);
             if (Sides(triangle, at.x, at.y).are_inside()) cuts.push_back(t);
         }
     });
@@ -126,7 +222,7 @@ bool LineOccluders::is_hidden(const ImagePoint& point, const DrawnLine& line) co
     // Floats rounded upward: what is not nearer than the point by its own rounding cannot be before it.
     for (const std::uint32_t item : grid_.items(grid_.cell_at(point.x, point.y))) {
         if (bounds_[item].nearest < point.z || !bounds_[item].has(point.x, point.y)) continue;
-        const ImageTriangle& triangle = drawing_.triangles[item];
+        const ImageTriangle& triangle = triangles_[item];
         if (!is_own(line, triangle) && hides(triangle, point, line)) return true;
     }
     return false;
@@ -138,7 +234,7 @@ bool LineOccluders::is_behind_one_face(const ImagePoint& from, const ImagePoint&
     for (const std::uint32_t item : grid_.items(grid_.cell_at(from.x, from.y))) {
         const ImageBounds& bounds = bounds_[item];
         if (bounds.nearest < farthest || !bounds.has(from.x, from.y) || !bounds.has(to.x, to.y)) continue;
-        const ImageTriangle& triangle = drawing_.triangles[item];
+        const ImageTriangle& triangle = triangles_[item];
         if (!is_own(line, triangle) && hides(triangle, from, line) && hides(triangle, to, line)) return true;
     }
     return false;

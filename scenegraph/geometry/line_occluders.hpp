@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "geometry/image_grid.hpp"
@@ -37,7 +38,23 @@ struct ImageBounds {
     static float above(double x) { return std::nextafterf(static_cast<float>(x), std::numeric_limits<float>::max()); }
 };
 
-/// The faces of a drawing as what lines can be hidden by.
+/// What a line has already met: large things lie in many cells along it.
+class SeenItems {
+ public:
+    void begin_line(std::size_t item_count)
+    {
+        if (stamps_.size() < item_count) stamps_.resize(item_count, 0);
+        ++line_;
+    }
+    /// True for the first time of each item since begin_line().
+    bool is_first(std::uint32_t item) { return std::exchange(stamps_[item], line_) != line_; }
+
+ private:
+    std::vector<std::uint32_t> stamps_;
+    std::uint32_t line_ = 0;
+};
+
+/// The faces of a drawing as what its lines can be hidden by.
 ///
 /// Within an object it is decided exactly for the object's float positions and the eye in its space: a face hides what
 /// is strictly behind its plane, so that a face's double, its back and what lies in its plane hide nothing of it.
@@ -49,7 +66,6 @@ class LineOccluders {
     LineOccluders(const LineDrawing& drawing, const ImageSpace& space);
 
     void fill();
-    double cell_px() const { return cell_px_; }
 
     /// Whether a face that is not one of the line's own lies before a point of the line.
     bool is_hidden(const ImagePoint& point, const DrawnLine& line) const;
@@ -57,18 +73,22 @@ class LineOccluders {
     /// The common case of large faces: both ends are behind one face, and so is all between.
     bool is_behind_one_face(const ImagePoint& from, const ImagePoint& to, const DrawnLine& line) const;
 
-    /// Appends where the line goes through faces: shares of its length in the picture.
-    void cut(const ImagePoint& from, const ImagePoint& to, const ImageBounds& bounds, float farthest,
+    /// Appends where the line goes through faces: shares of its length in the picture. `seen` is of all lines of one
+    /// thread.
+    void cut(const ImageLine& line, const ImageBounds& bounds, float farthest, SeenItems& seen,
              std::vector<double>& cuts) const;
 
  private:
+    void select_faces();
     bool hides(const ImageTriangle& triangle, const ImagePoint& point, const DrawnLine& line) const;
     bool hides_in_doubt(const ImageTriangle& triangle, const DrawnLine& line, double before) const;
 
     const LineDrawing& drawing_;
-    double cell_px_;
+    const ImageSpace& space_;
     double place_error_px_;
     ImageGrid grid_;
+    /// Faces that lines pass over in the picture.
+    std::vector<ImageTriangle> triangles_;
     std::vector<ImageBounds> bounds_;
 };
 

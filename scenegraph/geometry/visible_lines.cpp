@@ -4,12 +4,12 @@
 // looked at, and only what is behind is decided exactly (line_occluders.cpp).
 #include "geometry/visible_lines.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "geometry/image_grid.hpp"
 #include "geometry/image_space.hpp"
@@ -23,14 +23,14 @@ namespace {
 constexpr double kShortestPx = 1e-4;    // two cuts closer than this are one
 constexpr double kContourSlack = 1e-6;  // a contour this little behind a line still cuts it
 constexpr double kEndSlack = 1e-7;      // a contour that ends this close to a line still cuts it
+constexpr double kContourCellPx = 12.0;
 constexpr std::size_t kLinesPerTask = 32;
 
-/// A line in the picture: the part of it that the picture shows.
-struct ImageLine {
-    ImagePoint from;
-    ImagePoint to;
-    bool is_from_whole;  ///< `from` is the line's own end, not where it was clipped.
-    bool is_to_whole;
+/// Memory of one thread.
+struct CutScratch {
+    std::vector<double> cuts;
+    SeenItems triangles;
+    SeenItems contours;
 };
 
 /// A part of a line that is visible, or hidden, as a whole.
@@ -40,35 +40,10 @@ struct LinePart {
     LinePiece piece;
 };
 
-/// Cuts a line at the picture's frame; nothing when it is outside.
-std::optional<ImageLine> in_picture(const ImageLine& line, const glm::dvec2& size)
-{
-    double begin = 0.0, end = 1.0;
-    const glm::dvec3 direction = line.to - line.from;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double at = line.from[axis], step = direction[axis];
-        if (step == 0.0) {
-            if (at < 0.0 || at > size[axis]) return std::nullopt;
-            continue;
-        }
-        const double enter = (step > 0.0 ? -at : size[axis] - at) / step;
-        const double leave = (step > 0.0 ? size[axis] - at : -at) / step;
-        begin = std::max(begin, enter);
-        end = std::min(end, leave);
-    }
-    if (begin >= end) return std::nullopt;
-    return ImageLine{begin > 0.0 ? line.from + begin * direction : line.from,
-                     end < 1.0 ? line.from + end * direction : line.to, line.is_from_whole && begin == 0.0,
-                     line.is_to_whole && end == 1.0};
-}
-
 class HiddenLines {
  public:
     HiddenLines(LineDrawing drawing, const ImageSpace& space)
-        : drawing_(std::move(drawing)),
-          space_(space),
-          occluders_(drawing_, space),
-          contour_grid_(space.size_px(), 2.0 * occluders_.cell_px())
+        : drawing_(std::move(drawing)), occluders_(drawing_, space), contour_grid_(space.size_px(), kContourCellPx)
     {
         tbb::parallel_invoke([&] { occluders_.fill(); }, [&] { fill_contours(); });
     }
@@ -77,14 +52,16 @@ class HiddenLines {
     {
         const std::size_t tasks = (drawing_.lines.size() + kLinesPerTask - 1) / kLinesPerTask;
         std::vector<std::vector<LinePart>> parts(tasks);
+        tbb::enumerable_thread_specific<CutScratch> scratch;
         tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
-            std::vector<double> cuts;
+            CutScratch& own = scratch.local();
             const std::size_t end = std::min((task + 1) * kLinesPerTask, drawing_.lines.size());
             for (std::size_t line = task * kLinesPerTask; line < end; ++line) {
-                look_at(static_cast<std::uint32_t>(line), cuts, parts[task]);
+                look_at(static_cast<std::uint32_t>(line), own, parts[task]);
             }
         });
         std::vector<LinePart> all;
+        all.reserve(2 * drawing_.lines.size());
         for (const auto& some : parts) all.insert(all.end(), some.begin(), some.end());
         return all;
     }
@@ -93,33 +70,32 @@ class HiddenLines {
  private:
     void fill_contours()
     {
+        for (const DrawnLine& line : drawing_.lines) contour_grid_.mark(line.image.from, line.image.to);
+        contour_grid_.end_marks();
         contour_bounds_.reserve(drawing_.contours.size());
         for (const ContourLine& c : drawing_.contours) contour_bounds_.push_back(ImageBounds::of({c.from, c.to}));
         contour_grid_.fill(static_cast<std::uint32_t>(drawing_.contours.size()), [&](std::uint32_t i, auto&& visit) {
-            contour_grid_.for_each_cell(drawing_.contours[i].from, drawing_.contours[i].to, visit);
+            contour_grid_.for_each_cell(drawing_.contours[i].from, drawing_.contours[i].to,
+                                        [&](std::uint32_t cell) { visit(cell, contour_bounds_[i].nearest); });
         });
     }
 
-    void look_at(std::uint32_t index, std::vector<double>& cuts, std::vector<LinePart>& parts) const
+    void look_at(std::uint32_t index, CutScratch& scratch, std::vector<LinePart>& parts) const
     {
+        std::vector<double>& cuts = scratch.cuts;
         const DrawnLine& drawn = drawing_.lines[index];
-        const auto part = space_.clipped(drawn.from_view, drawn.to_view);
-        if (!part) return;
-        const auto seen = in_picture(
-            {space_.project(part->from), space_.project(part->to), !part->is_from_clipped, !part->is_to_clipped},
-            space_.size_px());
-        if (!seen) return;
-        const double length = glm::distance(glm::dvec2(seen->from), glm::dvec2(seen->to));
-        if (length == 0.0) return;
+        const ImageLine& seen = drawn.image;
+        const double length = glm::distance(glm::dvec2(seen.from), glm::dvec2(seen.to));
         cuts.assign({0.0, 1.0});
-        if (occluders_.is_behind_one_face(seen->from, seen->to, drawn)) {
-            add_part(index, *seen, parts, drawn);
+        if (occluders_.is_behind_one_face(seen.from, seen.to, drawn)) {
+            parts.push_back({index, false, piece_between(seen.from, seen.to)});
+            set_vertices(drawn, parts.back().piece, parts.back().piece);
             return;
         }
-        const ImageBounds bounds = ImageBounds::of({seen->from, seen->to});
-        const float farthest = ImageBounds::below(std::min(seen->from.z, seen->to.z) * (1.0 - kContourSlack));
-        cut_by_contours(*seen, bounds, farthest, cuts);
-        occluders_.cut(seen->from, seen->to, bounds, farthest, cuts);
+        const ImageBounds bounds = ImageBounds::of({seen.from, seen.to});
+        const float farthest = ImageBounds::below(std::min(seen.from.z, seen.to.z) * (1.0 - kContourSlack));
+        cut_by_contours(seen, bounds, farthest, scratch);
+        occluders_.cut(seen, bounds, farthest, scratch.triangles, cuts);
         std::sort(cuts.begin(), cuts.end());
         const double shortest = kShortestPx / length;
         std::size_t kept = 1;
@@ -128,13 +104,13 @@ class HiddenLines {
         }
         cuts[kept++] = 1.0;
         cuts.resize(kept);
-        add_parts(index, *seen, cuts, parts);
+        add_parts(index, cuts, parts);
     }
 
-    void add_parts(std::uint32_t index, const ImageLine& seen, const std::vector<double>& cuts,
-                   std::vector<LinePart>& parts) const
+    void add_parts(std::uint32_t index, const std::vector<double>& cuts, std::vector<LinePart>& parts) const
     {
         const DrawnLine& drawn = drawing_.lines[index];
+        const ImageLine& seen = drawn.image;
         const auto at = [&](double t) { return t == 1.0 ? seen.to : glm::mix(seen.from, seen.to, t); };
         const std::size_t first = parts.size();
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -145,20 +121,15 @@ class HiddenLines {
             }
             parts.push_back({index, is_visible, piece_between(at(cuts[i]), at(cuts[i + 1]))});
         }
-        if (seen.is_from_whole) parts[first].piece.from_vertex = drawn.vertices[0];
-        if (seen.is_to_whole) parts.back().piece.to_vertex = drawn.vertices[1];
+        set_vertices(drawn, parts[first].piece, parts.back().piece);
     }
 
-    /// The whole line, hidden.
-    static void add_part(std::uint32_t index, const ImageLine& seen, std::vector<LinePart>& parts,
-                         const DrawnLine& drawn)
+    /// Ends at which the line goes on are those of its vertices.
+    static void set_vertices(const DrawnLine& drawn, LinePiece& first, LinePiece& last)
     {
-        LinePiece piece = piece_between(seen.from, seen.to);
-        if (seen.is_from_whole) piece.from_vertex = drawn.vertices[0];
-        if (seen.is_to_whole) piece.to_vertex = drawn.vertices[1];
-        parts.push_back({index, false, piece});
+        if (drawn.image.is_from_whole) first.from_vertex = drawn.vertices[0];
+        if (drawn.image.is_to_whole) last.to_vertex = drawn.vertices[1];
     }
-
     static LinePiece piece_between(const ImagePoint& from, const ImagePoint& to)
     {
         LinePiece piece{glm::dvec2(from), glm::dvec2(to), kFreeEnd, kFreeEnd, from.z, to.z};
@@ -170,12 +141,12 @@ class HiddenLines {
         piece.to_depth = to.z;
     }
 
-    void cut_by_contours(const ImageLine& line, const ImageBounds& bounds, float farthest,
-                         std::vector<double>& cuts) const
+    void cut_by_contours(const ImageLine& line, const ImageBounds& bounds, float farthest, CutScratch& scratch) const
     {
+        scratch.contours.begin_line(drawing_.contours.size());
         contour_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
             for (const std::uint32_t item : contour_grid_.items(cell)) {
-                if (!contour_bounds_[item].can_change(bounds, farthest)) continue;
+                if (!contour_bounds_[item].can_change(bounds, farthest) || !scratch.contours.is_first(item)) continue;
                 const ContourLine& contour = drawing_.contours[item];
                 const double a = side_of(contour.from, contour.to, line.from.x, line.from.y);
                 const double b = side_of(contour.from, contour.to, line.to.x, line.to.y);
@@ -186,13 +157,12 @@ class HiddenLines {
                 const double s = c / (c - d);
                 if (!(s > -kEndSlack && s < 1.0 + kEndSlack)) continue;
                 const double contour_z = glm::mix(contour.from.z, contour.to.z, s);
-                if (contour_z > glm::mix(line.from.z, line.to.z, t) * (1.0 - kContourSlack)) cuts.push_back(t);
+                if (contour_z > glm::mix(line.from.z, line.to.z, t) * (1.0 - kContourSlack)) scratch.cuts.push_back(t);
             }
         });
     }
 
     LineDrawing drawing_;
-    const ImageSpace& space_;
     LineOccluders occluders_;
     ImageGrid contour_grid_;
     std::vector<ImageBounds> contour_bounds_;

@@ -1,13 +1,16 @@
 #include "geometry/visible_lines.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "geometry/intersections.hpp"
 #include "geometry/line_chains.hpp"
 #include "geometry/test_meshes.hpp"
 
@@ -311,6 +314,54 @@ TEST(visible_lines, are_the_same_bytes_every_time)
         const auto again = hw::find_visible_lines(objects, kFront, {.with_hidden = true});
         ASSERT_EQ(again.size(), first.size());
         for (std::size_t k = 0; k < first.size(); ++k) EXPECT_EQ(again[k].points_px, first[k].points_px);
+    }
+}
+
+TEST(visible_lines, are_the_same_bytes_for_any_number_of_threads)
+{
+    const hw::Surface ring = hw::build_surface(torus(96, 48));
+    std::vector<hw::LineObject> objects;
+    for (int i = 0; i < 12; ++i) objects.push_back({&ring, at(0.3 * i - 1.5, 0.2 * (i % 3), -0.4 * i)});
+    const auto cuts = hw::find_intersections(objects);
+    const auto drawn_with = [&](int threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(threads));
+        return hw::find_visible_lines(objects, kFront, {.with_hidden = true, .intersections = cuts});
+    };
+    const auto alone = drawn_with(1);
+    EXPECT_GT(alone.size(), 50u);
+    for (const int threads : {2, 3, 8}) {
+        const auto together = drawn_with(threads);
+        ASSERT_EQ(together.size(), alone.size());
+        for (std::size_t k = 0; k < alone.size(); ++k) {
+            EXPECT_EQ(together[k].object, alone[k].object);
+            EXPECT_EQ(together[k].is_visible, alone[k].is_visible);
+            EXPECT_EQ(together[k].points_px, alone[k].points_px);
+            EXPECT_EQ(together[k].inverse_depths, alone[k].inverse_depths);
+        }
+    }
+}
+
+TEST(visible_lines, of_a_tiny_model_have_all_their_rims)
+{
+    // A stepped ring: rims, creases, silhouettes that hide each other, as small as Line Art loses them.
+    const auto lengths = [](float scale) {
+        const hw::MeshData large = joined({torus(48, 24), moved(box({-2, -0.1f, -2}, {2, 0, 2}), glm::mat4(1.0f))});
+        const hw::Surface surface = hw::build_surface(moved(large, glm::scale(glm::mat4(1.0f), glm::vec3(scale))));
+        const std::vector<hw::LineObject> objects{{&surface}};
+        const hw::LineCamera camera{.eye_world = glm::dvec3(3, 2.5, 4) * static_cast<double>(scale),
+                                    .target_world = {0, 0, 0},
+                                    .size_px = {800, 600},
+                                    .near_m = 1e-3 * scale};
+        const auto lines = hw::find_visible_lines(objects, camera, {.with_hidden = true});
+        return std::array{total(lines, true, 0), total(lines, false, 0)};
+    };
+    const auto whole = lengths(1.0f);
+    EXPECT_GT(whole[1], 100.0);
+    for (const float scale : {1e-3f, 1e-6f}) {
+        const auto tiny = lengths(scale);
+        EXPECT_NEAR(tiny[0], whole[0], 1e-3 * whole[0]) << scale;
+        EXPECT_NEAR(tiny[1], whole[1], 1e-3 * whole[1]) << scale;
     }
 }
 
