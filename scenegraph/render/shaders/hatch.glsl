@@ -11,7 +11,7 @@ float hw_hash(float key, uint salt)
     uint h = (key == 0.0 ? 0u : floatBitsToUint(key)) + salt * 0x9e3779b9u;
     h = h * 747796405u + 2891336453u;
     h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
-    return float(((h >> 22u) ^ h) >> 8u) * (1.0 / 16777216.0);
+    return float(int(((h >> 22u) ^ h) >> 8u)) * (1.0 / 16777216.0);
 }
 
 // A power of two from its inverse, another power of two: exact, without a division.
@@ -151,7 +151,8 @@ struct HwHatching {
 // then closer, then twice as wide; the second crosses it in shade, a third in the dark, where strokes grow wider at last.
 // So six tones, with everything between them, and a darker tone keeps all strokes of a lighter one.
 // A loop that ends when the tone is reached, at the latest with the third direction, which takes all that is left: software
-// renderers run both sides of a branch, but leave a loop when all of its pixels have.
+// renderers run both sides of a branch, and the rest of a loop after its condition, but leave a loop at its end when all of
+// its pixels have. So the condition stands there, and the count of directions is not in it: such a loop is unrolled.
 float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
 {
     float full = clamp(h.width_px / h.spacing_px, 0.02, 0.48);  // ink of a direction whose strokes are closest
@@ -163,13 +164,13 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
     third *= hw_inverse_sqrt(max(dot(third, third), 1e-12));
     vec2 squared = s.hatch_uv_dx * s.hatch_uv_dx + s.hatch_uv_dy * s.hatch_uv_dy;
     float mixed = 2.0 * (s.hatch_uv_dx.x * s.hatch_uv_dx.y + s.hatch_uv_dy.x * s.hatch_uv_dy.y);
-    float wanted = 1.0 - clamp(tone, 0.0, 1.0);  // paper that stays, of what earlier directions left
+    float ink = clamp(tone, 0.0, 1.0);  // that is wanted still, of the paper that earlier directions left
     float paper = 1.0;
     vec2 direction = h.direction;
+    float most = 2.0 * full;
     float widest = 2.5;
-    float ink = 1.0 - wanted;
-    for (int i = 0; i < 3 && ink >= 0.004; ++i) {
-        float part = i == 0 ? min(ink, 2.0 * full) : i == 1 ? min(ink, full) : ink;
+    do {
+        float part = min(ink, most);
         float closeness = clamp(part * inverse_full, 1.0 / widest, 1.0);
         float width = spacing * max(min(full, part * widest), part);
         vec2 along = direction * kHwUp;
@@ -178,12 +179,13 @@ float hw_tonal_hatching(HwSurface s, HwHatching h, float tone)
         HwStrokes strokes = HwStrokes(vec2(dot(across, s.hatch_uv), dot(along, s.hatch_uv)),
                                       vec2(squared_across, squared.x + squared.y - squared_across),
                                       closeness * inverse_spacing, width);
-        paper *= 1.0 - hw_stroke_ink(strokes, h.hand, inverse_hand);
-        wanted /= max(1.0 - part, 1e-6);
-        ink = 1.0 - wanted;
+        float drawn = hw_stroke_ink(strokes, h.hand, inverse_hand);
+        paper *= part < 0.004 ? 1.0 : 1.0 - drawn;
+        ink = part < most ? 0.0 : (ink - part) / (1.0 - part);
+        direction = widest > 2.0 ? h.cross_direction : third;
+        most = widest > 2.0 ? full : 2.0;
         widest = 2.0;
-        direction = i == 0 ? h.cross_direction : third;
-    }
+    } while (ink >= 0.004);
     return 1.0 - paper;
 }
 
