@@ -399,8 +399,8 @@ def figure_14(studio):
 
 
 def figure_15(studio):
-    """Left ordinary levels, right ink maps, of the roofs and walls of one view."""
-    camera = ("--camera", "courtyard")
+    """Left ordinary levels, right ink maps, of the roofs and walls of one view, which is cut through a roof."""
+    camera = ("--eye", "14,6.5,11", "--target", "13,4.5,-8", "--fov-deg", "55")
     right = studio.render(hall_in_ink(tone="none"), *camera, size="800x520")
     for name in os.listdir(studio.path("maps", "ink")):
         folder = studio.path("maps", "ink", name)
@@ -523,7 +523,7 @@ OURS = {"4": figure_4, "5": figure_5, "7": figure_7, "8": figure_8, "9": figure_
 
 
 def readme_pictures(studio):
-    """The hall in each style, as its level says, and its courtyard."""
+    """The hall in each style and as its level says, its courtyard, and with and without its baked light."""
     entrance = ("--camera", "entrance")
     pictures = os.path.join(ROOT, "docs", "pictures")
     fading = hall_in("hybrid", gradient="height", from_m=0.5, to_m=4, white_from=0.64, shadow_below=0.14, darkness=0.74)
@@ -531,9 +531,16 @@ def readme_pictures(studio):
         write_png(os.path.join(pictures, f"{name}.png"), studio.render(level, *entrance, size="960x600"))
     write_png(os.path.join(pictures, "hall.png"), studio.render(hall_level(), *entrance, size="1280x720"))
     write_png(os.path.join(pictures, "courtyard.png"), studio.render(hall_in_ink(), "--camera", "courtyard", size="1000x640"))
+    for camera in ("entrance", "columns"):
+        for name, more in (("with", ()), ("without", ("--no-baked-light",))):
+            picture = studio.render(hall_in("photoreal"), "--camera", camera, *more, size="960x540")
+            write_png(os.path.join(pictures, f"{'hall' if camera == 'entrance' else camera}_{name}_baked_light.png"), picture)
+    pages = os.path.join(ROOT, "npr_plugins")
     for style, name, picture in (("pen_and_ink", "hall", "pen_and_ink"), ("pen_and_ink", "courtyard", "courtyard"),
-                                 ("hybrid", "hybrid", "hybrid"), ("photoreal", "photoreal", "photoreal")):
-        shutil.copy(os.path.join(pictures, f"{picture}.png"), os.path.join(ROOT, "npr_plugins", style, f"{name}.png"))
+                                 ("hybrid", "hybrid", "hybrid")):
+        shutil.copy(os.path.join(pictures, f"{picture}.png"), os.path.join(pages, style, f"{name}.png"))
+    outside = studio.render(hall_in("photoreal"), "--camera", "courtyard", size="960x600")
+    write_png(os.path.join(pages, "photoreal", "photoreal.png"), outside)
 
 
 MODELS = {"teapot": teapot, "dungeon": dungeon}

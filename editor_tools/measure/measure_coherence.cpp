@@ -59,7 +59,7 @@ class InkedLevel {
     InkedLevel(Context& context, const std::filesystem::path& file)
         : renderer_(context),
           level_(read_level_with(file, {})),
-          world_(open_world(level_, nullptr)),
+          world_(open_world(level_, nullptr, BakedLight::if_there)),
           looks_(resolve_looks(level_, world_->scene, kFallbackStyle))
     {
         const int fine = maps_.use(level_, MapKind::hatch, "fine", "");
@@ -105,6 +105,7 @@ class InkedLevel {
                 object.maps[MapKind::hatch] = static_cast<int>(input.maps.size());
         input.maps.push_back(&ordinary_);
         input.chunks = world_->chunks;
+        input.lightmap = world_->lightmap ? &*world_->lightmap : nullptr;
         input.lights = lights_of(level_, world_->scene);
         input.exposure_ev = static_cast<float>(exposure_ev_of(level_, world_->scene, input.lights));
         renderer_.load(std::move(input));

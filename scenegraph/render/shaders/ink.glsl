@@ -41,7 +41,7 @@ float hw_hatching(HwSurface surface, float light)
                             turn * (surface.hatch_uv_dx * kHwUp), turn * (surface.hatch_uv_dy * kHwUp),
                             hw_ink_of_light(light));
 #elif defined(TONE_SHADED)
-    HwHand hand = HwHand(hatch_size_px.z, 3.0, hatch_size_px.w, 0.18);
+    HwHand hand = HwHand(hatch_size_px.z, 2.0, hatch_size_px.w, 0.18);
     HwHatching hatching = HwHatching(hatch_size_px.x, hatch_size_px.y, hatch_directions.xy, hatch_directions.zw, hand);
     return hw_tonal_hatching(surface, hatching, hw_ink_of_light(light));
 #else
