@@ -52,12 +52,14 @@ void add_rows(JsonValue& rows, const std::string& name, const std::string& filte
 void measure_ink(const InkMeasureArguments& arguments)
 {
     require_outputs({{"--json", arguments.json}}, {});
+    std::vector<MapLevels> maps;
+    for (const std::filesystem::path& folder : arguments.maps) maps.push_back(read_map(folder));
     JsonValue rows = JsonValue::array();
     std::cout << fmt::format("{:<20}{:<12}{:>6}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}\n", "map", "levels", "level", "texels",
                              "stroke", "error", "tone", "error", "contrast");
-    for (const std::filesystem::path& folder : arguments.maps) {
-        const MapLevels map = read_map(folder);
-        const std::string name = std::filesystem::weakly_canonical(folder).filename().string();
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const MapLevels& map = maps[i];
+        const std::string name = std::filesystem::weakly_canonical(arguments.maps[i]).filename().string();
         add_rows(rows, name, "as made", map);
         add_rows(rows, name, "minimum", filtered_by_minimum(map.levels.front(), map.size_m));
         add_rows(rows, name, "box", filtered_by_mean(map.levels.front(), map.size_m));

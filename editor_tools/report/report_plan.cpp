@@ -112,7 +112,7 @@ ReportSection hatch_section()
             "Spacing, stroke width, tone and contrast of hatch maps on planes and a sphere over distance and angle, "
             "against lines of one width and one spacing: our choice of the level, hardware filtering, ordinary mips "
             "and none.",
-        .arguments = {"hatch"},
+        .arguments = {"hatch", "--angles", "0,45,80", "--distances", "1,1.4,8,64,256"},
         .plots = {{.title = "Time against tone error",
                    .x_column = "ms",
                    .x_label = "ms for a picture of 64 x 512",

@@ -30,6 +30,9 @@ class MapDescription {
  public:
     explicit MapDescription(const fs::path& folder) : file_((folder / "map.json").string())
     {
+        std::error_code failed;
+        if (!fs::is_regular_file(folder / "map.json", failed))
+            throw Error({.what = "is no map", .file = folder.string(), .expected = "a folder with a map.json"});
         const fs::path inside = resolve_inside(folder, folder, "map.json", file_, "");
         values_ = parse_json(read_text_file(inside, kMaxMapFileBytes), file_, JsonComments::allowed);
         if (!values_.is_object()) refuse("", "an object", values_);

@@ -51,7 +51,10 @@ class NumberText {
         double value = 0.0;
         const auto [end, status] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
         if (status != std::errc() || !std::isfinite(value) || std::abs(value) > 1e9)
-            throw Error({.what = "\"" + std::string(text_.substr(0, 16)) + "\" is no number", .file = file_});
+            throw Error({.what = text_.empty() ? "coordinates end where a number should follow"
+                                               : "\"" + std::string(text_.substr(0, 16)) + "\" is no number",
+                         .file = file_,
+                         .expected = "numbers up to 1e9"});
         text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
         return value;
     }
@@ -249,7 +252,8 @@ SvgDrawing parse_svg_strokes(const std::string& text, const std::string& file)
         if (frame.size.x > 0.0) add_strokes(drawing, name, tag, frame, pen, file);
         at = end;
     }
-    if (frame.size.x <= 0.0) throw Error({.what = "the file is no SVG drawing", .file = file});
+    if (frame.size.x <= 0.0)
+        throw Error({.what = "the file is no drawing", .file = file, .expected = "an SVG, PNG or JPEG file"});
     if (drawing.strokes.empty())
         throw Error(
             {.what = "the drawing has no strokes", .file = file, .expected = "path, line, polyline or polygon"});

@@ -1,4 +1,4 @@
-// The engine's image "object_ids": see shared_images.hpp. image_ids.glsl reads it.
+// The engine's image "object_ids": see shared_images.hpp.
 #include "surface.glsl"
 
 uniform vec4 hw_object_id;
