@@ -5,13 +5,14 @@
 // distance drops each second one. Those thin out while the octave passes, so that tone stays the same all the while.
 // Source: Freudenberg, Masuch, Strothotte. Walk-Through Illustrations. Eurographics 2001, section 3.2.
 
-// 0 to 1 from a number that names a line. Exact: positions are multiples of powers of two.
+// 0 to 1 from a number that names a line. Exact: positions are multiples of powers of two. Shifts and products that software
+// renderers have as one instruction each.
 float hw_hash(float key, uint salt)
 {
-    uint h = (key == 0.0 ? 0u : floatBitsToUint(key)) + salt * 0x9e3779b9u;
-    h = h * 747796405u + 2891336453u;
-    h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
-    return float(int(((h >> 22u) ^ h) >> 8u)) * (1.0 / 16777216.0);
+    uint h = floatBitsToUint(key) + salt * 0x9e3779b9u;
+    h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
+    h = (h ^ (h >> 12u)) * 0x297a2d39u;
+    return float(int(h >> 8u)) * (1.0 / 16777216.0);
 }
 
 // A power of two from its inverse, another power of two: exact, without a division.
@@ -20,11 +21,11 @@ float hw_inverse_of_power(float power) { return uintBitsToFloat(0x7f000000u - fl
 // The inverse of the largest power of two not above 1 / inverse_wanted: of the distance between two things on the surface
 // that suits the screen. `thinning` is what each second thing keeps of its size, from 1 to 0 over the octave:
 // 2 cell / wanted - 1 keeps the sum constant, since the spacing on the screen shrinks as wanted / cell grows.
+// From 1e-24 to 1e24.
 float hw_inverse_octave(float inverse_wanted, out float thinning)
 {
-    float inverse_safe = clamp(inverse_wanted, 1e-12, 1e12);
-    float inverse_cell = uintBitsToFloat((floatBitsToUint(inverse_safe) + 0x007fffffu) & 0x7f800000u);
-    thinning = 2.0 * inverse_safe * hw_inverse_of_power(inverse_cell) - 1.0;
+    float inverse_cell = uintBitsToFloat((floatBitsToUint(inverse_wanted) + 0x007fffffu) & 0x7f800000u);
+    thinning = 2.0 * inverse_wanted * hw_inverse_of_power(inverse_cell) - 1.0;
     return inverse_cell;
 }
 
