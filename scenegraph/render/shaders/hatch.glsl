@@ -233,8 +233,8 @@ float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float 
     for (float i = 0.0; i < count; i += 1.0) ink += hw_map_ink(map, at + (2.0 * i - 1.0) * apart, level);
     ink /= count;
     float texel_px = exp2(level) * sqrt(angle) * hw_px_scale / max(texels, 1e-12);
-    float edge = mix(0.5 / clamp(texel_px, 1.0, 4.0), 0.5, clamp(level - info.w + 5.0, 0.0, 1.0));
-    return (1.0 - 0.5 * grown) * clamp((ink - 0.5 - 0.35 * grown) / (2.0 * edge) + 0.5, 0.0, 1.0);
+    float edge = mix(0.5 / clamp(texel_px, 1.0, 32.0), 0.5, clamp(level - info.w + 5.0, 0.0, 1.0));
+    return (1.0 - 0.5 * grown) * clamp((ink - 0.5 - 0.23 * grown) / (2.0 * edge) + 0.5, 0.0, 1.0);
 }
 
 // Ink of a tonal map at `uv` metres, right and up, for the ink coverage `tone`: the two tones beside it and the two levels
