@@ -539,6 +539,8 @@ def readme_pictures(studio):
     for style, name, picture in (("pen_and_ink", "hall", "pen_and_ink"), ("pen_and_ink", "courtyard", "courtyard"),
                                  ("hybrid", "hybrid", "hybrid")):
         shutil.copy(os.path.join(pictures, f"{picture}.png"), os.path.join(pages, style, f"{name}.png"))
+    by_hand = hall_in_ink(line_wobble_px=0.9, line_bend_px=60, line_overshoot_px=6, line_taper_px=10)
+    write_png(os.path.join(pages, "pen_and_ink", "by_hand.png"), studio.render(by_hand, "--camera", "columns", size="960x600"))
     outside = studio.render(hall_in("photoreal"), "--camera", "courtyard", size="960x600")
     write_png(os.path.join(pages, "photoreal", "photoreal.png"), outside)
 
