@@ -27,7 +27,17 @@ struct InfoArguments {
 struct MeshTotals {
     SurfaceReport report;
     std::uint64_t edges = 0;
-    std::uint64_t edge_bytes = 0;
+    OutlineBytes bytes;
+    std::uint64_t faces = 0;
+
+    double per_edge(std::size_t sum) const
+    {
+        return edges ? static_cast<double>(sum) / static_cast<double>(edges) : 0.0;
+    }
+    double per_face(std::size_t sum) const
+    {
+        return faces ? static_cast<double>(sum) / static_cast<double>(faces) : 0.0;
+    }
 };
 
 MeshTotals totals_of(const std::vector<Surface>& surfaces)
@@ -49,7 +59,11 @@ MeshTotals totals_of(const std::vector<Surface>& surfaces)
         totals.report.inward_components += report.inward_components;
         totals.report.reflex_rule_components += report.reflex_rule_components;
         totals.edges += surface.edges.size();
-        totals.edge_bytes += edge_bytes(surface);
+        const OutlineBytes bytes = outline_bytes(surface);
+        totals.faces += surface.faces.size();
+        totals.bytes.edges += bytes.edges;
+        totals.bytes.planes += bytes.planes;
+        totals.bytes.clusters += bytes.clusters;
     }
     return totals;
 }
@@ -72,8 +86,9 @@ JsonValue info_json(const LevelWorld& world, const MeshTotals& totals)
     json.set("stitched_edges", report.stitched_edges).set("complex_edges", report.complex_edges);
     json.set("artist_edges", report.artist_edges).set("inconsistent_edges", report.inconsistent_edges);
     json.set("flips_repaired", report.flipped_faces);
-    json.set("bytes_per_edge",
-             totals.edges ? static_cast<double>(totals.edge_bytes) / static_cast<double>(totals.edges) : 0.0);
+    json.set("bytes_per_edge", totals.per_edge(totals.bytes.edges));
+    json.set("plane_bytes_per_face", totals.per_face(totals.bytes.planes));
+    json.set("cluster_bytes_per_edge", totals.per_edge(totals.bytes.clusters));
     json.set("structure_polygons", visibility.structure_polygons);
     json.set("leaves", visibility.leaves).set("portals", visibility.portals);
     json.set("coarse_portals", visibility.coarse_portals);
@@ -90,16 +105,17 @@ void print_info(const LevelWorld& world, const MeshTotals& totals)
         "model       {} objects, {} meshes, {} triangles ({} drawn)\n"
         "faces       {} removed, {} collinear, {} flips repaired\n"
         "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
-        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} inconsistent; {:.1f} bytes each\n"
+        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} inconsistent\n"
+        "bytes       {:.1f} an edge, crease or candidate, and {:.1f} in clusters; {:.1f} a face in planes\n"
         "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; "
         "{:.2f} s\n",
         world.scene.objects.size(), world.scene.meshes.size(), report.triangles_in, drawn_triangle_count(world.scene),
         report.removed_faces, report.collinear_faces, report.flipped_faces, report.components, report.closed_components,
         report.inward_components, report.reflex_rule_components, totals.edges, report.border_edges,
         report.complex_edges, report.artist_edges, report.stitched_edges, report.inconsistent_edges,
-        totals.edges ? static_cast<double>(totals.edge_bytes) / static_cast<double>(totals.edges) : 0.0,
-        visibility.leaves, visibility.portals, visibility.coarse_portals, visibility.structure_polygons,
-        100.0 * visibility.average_visible_share, visibility.seconds);
+        totals.per_edge(totals.bytes.edges), totals.per_edge(totals.bytes.clusters),
+        totals.per_face(totals.bytes.planes), visibility.leaves, visibility.portals, visibility.coarse_portals,
+        visibility.structure_polygons, 100.0 * visibility.average_visible_share, visibility.seconds);
 }
 
 /// What the rules of a level name: every node with objects, by its path, with the materials of its objects.

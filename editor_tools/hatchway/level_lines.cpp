@@ -24,7 +24,7 @@ double mean_line_length(const LineObject& object)
     std::uint64_t count = 0;
     const auto add = [&](EdgeRange range) {
         for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-            const auto [a, b] = surface.edges.vertices[edge];
+            const auto [a, b] = edge_vertices(surface, edge);
             sum += glm::distance(surface.positions[a], surface.positions[b]);
             ++count;
         }

@@ -8,6 +8,7 @@
 #include "geometry/silhouettes.hpp"
 #include "hatchway/arguments.hpp"
 #include "hatchway/commands.hpp"
+#include "hatchway/option_rules.hpp"
 #include "hatchway/output_files.hpp"
 #include "hatchway/scene_surfaces.hpp"
 #include "io/gltf_import.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct SilhouetteArguments {
     std::filesystem::path file;
     std::string eye;
+    std::string method = "auto";
     double crease_deg = 40.0;
     std::filesystem::path json;
     std::filesystem::path dump_mesh;
@@ -42,17 +44,32 @@ struct SilhouetteResult {
 JsonValue edge_json(const Surface& surface, std::uint32_t edge, const glm::dmat4& world_from_object)
 {
     JsonValue ends = JsonValue::array();
-    for (const std::uint32_t vertex : surface.edges.vertices[edge]) {
+    for (const std::uint32_t vertex : edge_vertices(surface, edge)) {
         const glm::dvec4 p = world_from_object * glm::dvec4(glm::dvec3(surface.positions[vertex]), 1.0);
         ends.push(p.x).push(p.y).push(p.z);
     }
     return ends;
 }
 
-void add_object(const Surface& surface, const glm::dmat4& world_from_object, const glm::dvec3& eye_world,
-                float crease_rad, SilhouetteScratch& scratch, SilhouetteResult& result)
+/// How one object is searched.
+struct ObjectSearch {
+    const Surface& surface;
+    glm::dmat4 world_from_object;
+    glm::dvec3 eye_world;
+    SilhouetteOptions options;
+    bool is_all;  ///< Not only among candidates.
+};
+
+SilhouetteMethod method_named(const std::string& name)
 {
-    const EdgeClasses classes = classes_at(surface, crease_rad);
+    if (name == "auto") return SilhouetteMethod::automatic;
+    return name == "hierarchy" ? SilhouetteMethod::hierarchy : SilhouetteMethod::brute;
+}
+
+void add_object(const ObjectSearch& search, SilhouetteScratch& scratch, SilhouetteResult& result)
+{
+    const auto& [surface, world_from_object, eye_world, options, is_all] = search;
+    const EdgeClasses classes = classes_at(surface, options.crease_rad);
     result.faces += surface.faces.size();
     result.edges += surface.edges.size();
     result.creases += classes.crease_count();
@@ -61,8 +78,8 @@ void add_object(const Surface& surface, const glm::dmat4& world_from_object, con
     result.borders += classes.borders.size();
 
     const Viewpoint viewpoint = in_object({eye_world, false}, world_from_object);
-    const SilhouetteOptions options{.crease_rad = crease_rad};
-    for (const std::uint32_t edge : all_silhouettes(surface, viewpoint, options, scratch)) {
+    const auto find = is_all ? all_silhouettes : drawn_contours;
+    for (const std::uint32_t edge : find(surface, viewpoint, options, scratch)) {
         result.silhouettes.push(edge_json(surface, edge, world_from_object));
         ++result.silhouette_count;
     }
@@ -115,14 +132,18 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     const Level level = read_level(arguments.file);
     const Scene scene = import_gltf(level.scene_file, level.project_root);
     require_unread(outputs);
-    const std::vector<Surface> surfaces = scene_surfaces(scene);
-    const auto crease_rad = static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0);
+    const SilhouetteOptions options{.crease_rad = static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0),
+                                    .method = method_named(arguments.method)};
+    SurfaceOptions defaults;
+    if (options.method == SilhouetteMethod::hierarchy) defaults.cluster_from_faces = 1;
+    const std::vector<Surface> surfaces = scene_surfaces(scene, defaults);
     SilhouetteResult result;
     SilhouetteScratch scratch;
     JsonValue meshes = JsonValue::array();
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const Surface& surface = surfaces[scene.objects[id].mesh];
-        add_object(surface, scene.world_from_object(id), eye_world, crease_rad, scratch, result);
+        const bool is_all = arguments.method != "candidates";
+        add_object({surface, scene.world_from_object(id), eye_world, options, is_all}, scratch, result);
         if (!arguments.dump_mesh.empty()) meshes.push(mesh_json(scene, id, surface, eye_world));
     }
     if (!arguments.json.empty()) write_json(arguments.json, result_json(result));
@@ -143,6 +164,11 @@ void add_silhouettes_command(CLI::App& app)
     CLI::App* command = app.add_subcommand("silhouettes", "Finds the silhouette edges of a model as seen from an eye");
     command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
     command->add_option("--eye", arguments->eye, "The eye, world space, metres")->required()->option_text("X,Y,Z");
+    command
+        ->add_option("--method", arguments->method,
+                     "brute (all edges), candidates (only edges that can be a contour), hierarchy (only clusters of "
+                     "faces near the contour), auto (the fastest for each object); all are exact; auto")
+        ->check(one_of({"brute", "candidates", "hierarchy", "auto"}));
     command->add_option("--crease-deg", arguments->crease_deg, "Edges folded by more are creases; 40")
         ->option_text("F");
     command->add_option("--dump-mesh", arguments->dump_mesh, "Write welded positions, faces and eye of each object")

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -22,6 +23,7 @@
 #include "io/level_file.hpp"
 #include "measure/measures.hpp"
 #include "measure/silhouette_oracle.hpp"
+#include "measure/smooth_mesh.hpp"
 
 namespace hw {
 namespace {
@@ -33,7 +35,10 @@ constexpr float kNoCreases = 3.2f;
 
 struct SilhouetteMeasureArguments {
     std::vector<std::filesystem::path> files;
+    std::vector<int> smooth;
     int views = 26;
+    int random_views = 0;
+    bool is_orthographic = false;
     std::vector<double> offsets{0.0, 1e3, 1e5, 1e6};
     std::vector<double> scales{1.0};
     std::filesystem::path json;
@@ -46,10 +51,11 @@ struct Subject {
     std::unique_ptr<SilhouetteOracle> oracle;
     std::vector<Viewpoint> views;
     std::vector<std::vector<OracleEdge>> expected;  ///< For each view.
-    double preprocess_s = 0.0;
+    double preprocess_s = 0.0;                      ///< Without clusters.
+    double cluster_s = 0.0;
 };
 
-enum class Method { brute, hierarchy, candidates, openmesh };
+enum class Method { brute, candidates, hierarchy, automatic, openmesh };
 
 struct Variant {
     Method method;
@@ -57,11 +63,12 @@ struct Variant {
     const char* method_name;
     const char* precision_name;
 };
-constexpr std::array<Variant, 6> kVariants{{{Method::brute, FacingPrecision::exact, "brute", "exact"},
+constexpr std::array<Variant, 7> kVariants{{{Method::brute, FacingPrecision::exact, "brute", "exact"},
+                                            {Method::candidates, FacingPrecision::exact, "candidates", "exact"},
                                             {Method::hierarchy, FacingPrecision::exact, "hierarchy", "exact"},
+                                            {Method::automatic, FacingPrecision::exact, "auto", "exact"},
                                             {Method::brute, FacingPrecision::double_only, "brute", "double"},
                                             {Method::brute, FacingPrecision::single_only, "brute", "float"},
-                                            {Method::candidates, FacingPrecision::exact, "candidates", "exact"},
                                             {Method::openmesh, FacingPrecision::single_only, "openmesh", "float"}}};
 
 struct Row {
@@ -90,25 +97,35 @@ double quantile(std::vector<double> values, double share)
     return *at;
 }
 
-/// Eyes evenly around the mesh, then the random ones from which the filter left most faces open.
-std::vector<Viewpoint> views_of(const Surface& surface, int count)
+/// Views evenly around the mesh, random ones, and of more random ones those from which the filter left most faces open.
+std::vector<Viewpoint> views_of(const Surface& surface, const SilhouetteMeasureArguments& arguments)
 {
     Box box;
     for (const glm::vec3& p : surface.positions) box.add(glm::dvec3(p));
     const double reach = 0.5 * glm::length(box.size());
+    const auto view = [&](double x, double y, double z) {
+        const glm::dvec3 direction(x, y, z);
+        return Viewpoint{arguments.is_orthographic ? direction : box.centre() + 3.0 * reach * direction,
+                         arguments.is_orthographic};
+    };
     std::vector<Viewpoint> views;
-    for (int i = 0; i < count; ++i) {
-        const double y = 1.0 - 2.0 * (i + 0.5) / count, around = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (int i = 0; i < arguments.views; ++i) {
+        const double y = 1.0 - 2.0 * (i + 0.5) / arguments.views,
+                     around = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
         const double r = std::sqrt(1.0 - y * y);
-        views.push_back({box.centre() + 3.0 * reach * glm::dvec3(r * std::cos(around), y, r * std::sin(around))});
+        views.push_back(view(r * std::cos(around), y, r * std::sin(around)));
     }
     std::mt19937 random(20011);
     const auto part = [&] { return 2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0; };
+    const auto random_view = [&] {
+        const double x = part(), y = part(), z = part();
+        return view(x, y, z);
+    };
+    for (int i = 0; i < arguments.random_views; ++i) views.push_back(random_view());
     std::vector<std::pair<std::uint64_t, Viewpoint>> trials;
     SilhouetteScratch scratch;
     for (int i = 0; i < kTrials; ++i) {
-        const double x = part(), y = part(), z = part();
-        const Viewpoint trial{box.centre() + 3.0 * reach * glm::dvec3(x, y, z)};
+        const Viewpoint trial = random_view();
         scratch.counters = {};
         find_facing(surface, trial, FacingPrecision::exact, scratch);
         trials.emplace_back(scratch.counters.double_stage, trial);
@@ -132,18 +149,28 @@ Surface in_model_order(const Surface& surface)
     return plain;
 }
 
-Subject subject_of(MeshData mesh, double offset, double scale, int view_count)
+Subject subject_of(MeshData mesh, double offset, double scale, const SilhouetteMeasureArguments& arguments)
 {
     for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) * scale + offset);
     Subject subject;
     const auto start = std::chrono::steady_clock::now();
-    subject.surface = build_surface(mesh, {.cluster_from_faces = 1});
+    subject.surface = build_surface(mesh, {.cluster_from_faces = std::numeric_limits<std::uint32_t>::max()});
     subject.preprocess_s = seconds_since(start);
+    const auto cluster_start = std::chrono::steady_clock::now();
+    subject.surface.clusters.prepare(subject.surface);
+    subject.cluster_s = seconds_since(cluster_start);
     subject.half_edges = std::make_unique<HalfEdgeMesh>(in_model_order(subject.surface));
     subject.oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces);
-    subject.views = views_of(subject.surface, view_count);
-    for (const Viewpoint& view : subject.views) subject.expected.push_back(subject.oracle->silhouettes(view.eye));
+    subject.views = views_of(subject.surface, arguments);
+    for (const Viewpoint& view : subject.views)
+        subject.expected.push_back(subject.oracle->silhouettes(view.eye, view.is_orthographic ? 0.0 : 1.0));
     return subject;
+}
+
+bool takes_clusters(const Subject& subject, Method method)
+{
+    const bool pays = subject.surface.faces.size() >= SurfaceOptions{}.cluster_from_faces;
+    return method == Method::hierarchy || (method == Method::automatic && pays);
 }
 
 std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant, const Viewpoint& view,
@@ -152,13 +179,15 @@ std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant,
     const SilhouetteOptions options{
         .crease_rad = kNoCreases,
         .precision = variant.precision,
-        .method = variant.method == Method::hierarchy ? SilhouetteMethod::hierarchy : SilhouetteMethod::brute};
+        .method = takes_clusters(subject, variant.method) ? SilhouetteMethod::hierarchy : SilhouetteMethod::brute};
     std::span<const std::uint32_t> edges;
     const auto start = std::chrono::steady_clock::now();
-    if (variant.method == Method::brute || variant.method == Method::hierarchy)
-        edges = all_silhouettes(subject.surface, view, options, scratch);
-    if (variant.method == Method::candidates) edges = drawn_contours(subject.surface, view, options, scratch);
-    if (variant.method == Method::openmesh) subject.half_edges->plain_silhouettes(view, openmesh_edges);
+    if (variant.method == Method::openmesh) {
+        subject.half_edges->plain_silhouettes(view, openmesh_edges);
+    } else {
+        const auto find = variant.method == Method::candidates ? drawn_contours : all_silhouettes;
+        edges = find(subject.surface, view, options, scratch);
+    }
     ms = 1e3 * seconds_since(start);
 
     std::vector<OracleEdge> found;
@@ -168,7 +197,7 @@ std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant,
     if (variant.method == Method::openmesh) {
         for (const int edge : openmesh_edges) add(subject.half_edges->edge_ends(edge));
     } else {
-        for (const std::uint32_t edge : edges) add(subject.surface.edges.vertices[edge]);
+        for (const std::uint32_t edge : edges) add(edge_vertices(subject.surface, edge));
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -184,7 +213,7 @@ std::vector<OracleEdge> expected_of(const Subject& subject, const Variant& varia
     std::vector<OracleEdge> candidates;
     for (const EdgeRange range : classes.candidates) {
         for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-            const auto [a, b] = subject.surface.edges.vertices[edge];
+            const auto [a, b] = edge_vertices(subject.surface, edge);
             candidates.push_back({std::min(a, b), std::max(a, b)});
         }
     }
@@ -213,9 +242,10 @@ void measure_subject(const Subject& subject, Row& row)
     }
     row.edges = subject.surface.edges.size();
     row.counters = scratch.counters;
-    row.bytes = edge_bytes(subject.surface) + subject.surface.filter.bytes() +
-                (row.variant.method == Method::hierarchy ? subject.surface.clusters.bytes() : 0);
-    row.preprocess_s = subject.preprocess_s;
+    const OutlineBytes bytes = outline_bytes(subject.surface);
+    const bool has_clusters = takes_clusters(subject, row.variant.method);
+    row.bytes = bytes.edges + bytes.planes + (has_clusters ? bytes.clusters : 0);
+    row.preprocess_s = subject.preprocess_s + (has_clusters ? subject.cluster_s : 0.0);
 }
 
 double share(std::uint64_t part, std::uint64_t whole)
@@ -265,21 +295,36 @@ MeshData merged_mesh(const std::filesystem::path& file)
     return merged;
 }
 
+struct NamedMesh {
+    std::string name;
+    MeshData mesh;
+};
+
+std::vector<NamedMesh> meshes_of(const SilhouetteMeasureArguments& arguments)
+{
+    std::vector<NamedMesh> meshes;
+    for (const auto& file : arguments.files) meshes.push_back({file.stem().string(), merged_mesh(file)});
+    for (const int triangles : arguments.smooth) {
+        meshes.push_back({fmt::format("smooth_{}", triangles), smooth_mesh(static_cast<std::uint32_t>(triangles))});
+    }
+    if (meshes.empty()) throw Error({.what = "no model to measure", .expected = "models, or sizes for --smooth"});
+    return meshes;
+}
+
 void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 {
     require_outputs({{"--json", arguments.json}}, arguments.files);
     JsonValue rows = JsonValue::array();
-    Progress progress("Measuring silhouettes",
-                      arguments.files.size() * arguments.offsets.size() * arguments.scales.size());
+    const std::vector<NamedMesh> meshes = meshes_of(arguments);
+    Progress progress("Measuring silhouettes", meshes.size() * arguments.offsets.size() * arguments.scales.size());
     std::cout << fmt::format("{:<24} {:<10} {:<6} {:>8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>5} {:>9}\n", "model", "method",
                              "number", "offset", "scale", "median ms", "p95 ms", "false+", "false-", "odd", "doubles");
-    for (const std::filesystem::path& file : arguments.files) {
-        const MeshData mesh = merged_mesh(file);
+    for (const NamedMesh& named : meshes) {
         for (const double offset : arguments.offsets) {
             for (const double scale : arguments.scales) {
-                const Subject subject = subject_of(mesh, offset, scale, arguments.views);
+                const Subject subject = subject_of(named.mesh, offset, scale, arguments);
                 for (const Variant& variant : kVariants) {
-                    Row row{.model = file.stem().string(), .variant = variant, .offset = offset, .scale = scale};
+                    Row row{.model = named.name, .variant = variant, .offset = offset, .scale = scale};
                     measure_subject(subject, row);
                     rows.push(row_json(row));
                     std::cout << row_text(row);
@@ -297,10 +342,19 @@ void add_measure_silhouettes(CLI::App& measure)
 {
     auto arguments = std::make_shared<SilhouetteMeasureArguments>();
     CLI::App* command = measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
-    command->add_option("models", arguments->files, "Models or levels")->required()->option_text("GLB...");
+    command->add_option("models", arguments->files, "Models or levels")->option_text("GLB...");
+    command
+        ->add_option("--smooth", arguments->smooth, "Add bumpy spheres of so many triangles, to see how a cost grows")
+        ->delimiter(',')
+        ->option_text("LIST")
+        ->check(whole_number_in(64, 10'000'000));
     command->add_option("--views", arguments->views, "Views around the model; 26")
         ->option_text("N")
         ->check(whole_number_in(1, 100'000));
+    command->add_option("--random", arguments->random_views, "Random views in addition, the same in each run; 0")
+        ->option_text("N")
+        ->check(whole_number_in(0, 1'000'000));
+    command->add_flag("--orthographic", arguments->is_orthographic, "Look from directions, not from eyes");
     command->add_option("--offset", arguments->offsets, "Move the model; 0,1e3,1e5,1e6")
         ->delimiter(',')
         ->option_text("LIST")

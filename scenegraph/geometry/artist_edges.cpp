@@ -35,7 +35,7 @@ class NormalSplits {
     }
     bool are_apart(const InnerEdge& edge, std::uint32_t position) const
     {
-        const glm::vec3 a = stated_normal(edge.faces[0], position), b = stated_normal(edge.faces[1], position);
+        const glm::vec3 a = stated_normal(edge.edge.face_a(), position), b = stated_normal(edge.edge.face_b, position);
         if (a == glm::vec3(0.0f) || b == glm::vec3(0.0f)) return false;
         return glm::dot(a, b) < kSplitCosine;
     }
@@ -58,15 +58,16 @@ void mark_split_normals(std::vector<InnerEdge>& edges, const Surface& surface, c
     std::vector<bool> is_split(edges.size(), false);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const InnerEdge& edge = edges[i];
-        if (edge.faces[1] >= surface.faces.size() || edge.fold_rad <= least_fold_rad) continue;
+        if (edge.edge.face_b >= surface.faces.size() || edge.fold_rad <= least_fold_rad) continue;
         is_split[i] = splits.is_split(edge);
         if (edge.fold_rad > kStatisticFoldRad) continue;
-        Shading& component = shading[surface.face_component[edge.faces[0]]];
+        Shading& component = shading[surface.face_component[edge.edge.face_a()]];
         ++component.folded;
         component.split += is_split[i];
     }
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (is_split[i] && !shading[surface.face_component[edges[i].faces[0]]].is_flat()) edges[i].is_artist = true;
+        if (is_split[i] && !shading[surface.face_component[edges[i].edge.face_a()]].is_flat())
+            edges[i].is_artist = true;
     }
 }
 

@@ -11,8 +11,8 @@ namespace hw {
 
 /// An edge of exactly two faces, before it has a place in the table.
 struct InnerEdge {
+    Edge edge;
     std::array<std::uint32_t, 2> vertices;
-    std::array<std::uint32_t, 2> faces;
     float fold_rad = 0.0f;
     bool is_artist = false;
 };

@@ -37,7 +37,15 @@ float fold_rad(const Surface& surface, std::uint32_t face_a, std::uint32_t face_
 
 float fold_rad(const Surface& surface, std::uint32_t edge)
 {
-    return fold_rad(surface, surface.edges.faces[edge][0], surface.edges.faces[edge][1]);
+    const auto [face_a, face_b] = surface.edges[edge].faces();
+    return fold_rad(surface, face_a, face_b);
+}
+
+std::array<std::uint32_t, 2> edge_vertices(const Surface& surface, std::uint32_t edge)
+{
+    const Edge& side = surface.edges[edge];
+    const auto& corners = surface.faces[side.face_a()];
+    return {corners[side.corner_a()], corners[(side.corner_a() + 1) % 3]};
 }
 
 EdgeClasses classes_at(const Surface& surface, float crease_rad)

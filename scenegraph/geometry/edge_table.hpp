@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+
 namespace hw {
 
 /// What an edge can add to a line drawing, decided before any view is known. In all groups but the first, edges stand
@@ -28,15 +29,26 @@ struct EdgeRange {
 /// No face beyond a border.
 inline constexpr std::uint32_t kNoFace = 0xffffffffu;
 
-/// All edges of a surface. An edge id is a place in this table. 16 bytes an edge.
+/// An edge, told by where it is a side of its face A: its ends are then known from the face (edge_vertices()). 8 bytes.
+struct Edge {
+    std::uint32_t side_a;  ///< Four times the number of face A, and the corner of A at which the edge begins.
+    /// Face B. kNoFace at a border of one face; complex edges name the second of their faces. Where the surface cannot
+    /// be oriented, B is a reversed twin of the face (an index past Surface::faces, see FacingFilter).
+    std::uint32_t face_b;
+
+    static std::uint32_t side(std::uint32_t face, std::uint32_t corner) { return 4 * face + corner; }
+    std::uint32_t face_a() const { return side_a / 4; }
+    std::uint32_t corner_a() const { return side_a % 4; }
+    std::array<std::uint32_t, 2> faces() const { return {face_a(), face_b}; }
+    bool operator==(const Edge&) const = default;
+};
+
+/// All edges of a surface. An edge id is a place in this table.
 struct EdgeTable {
-    std::vector<std::array<std::uint32_t, 2>> vertices;  ///< Into Surface::positions, in the direction of face A.
-    /// Faces A and B. B of a border of one face is kNoFace; complex edges name their first two. Where the surface
-    /// cannot be oriented, B is a reversed twin of the face (an index past Surface::faces, see FacingFilter).
-    std::vector<std::array<std::uint32_t, 2>> faces;
+    std::vector<Edge> edges;
     std::array<std::uint32_t, kEdgeGroupCount + 1> group_begin{};  ///< group_begin[g] .. group_begin[g + 1]
 
-    std::uint32_t size() const { return static_cast<std::uint32_t>(vertices.size()); }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(edges.size()); }
     EdgeRange group(EdgeGroup group) const
     {
         const auto index = static_cast<std::size_t>(group);
@@ -44,6 +56,7 @@ struct EdgeTable {
     }
     /// Edges of exactly two faces.
     EdgeRange two_faced() const { return {group_begin[1], size()}; }
+    const Edge& operator[](std::uint32_t edge) const { return edges[edge]; }
 };
 
 struct Surface;
@@ -73,5 +86,8 @@ EdgeClasses classes_at(const Surface& surface, float crease_rad);
 /// The angle between the normals of the two faces of an edge, in [0, pi]; 0 where a face has no plane or is missing.
 float fold_rad(const Surface& surface, std::uint32_t edge);
 float fold_rad(const Surface& surface, std::uint32_t face_a, std::uint32_t face_b);
+
+/// The ends of an edge, into Surface::positions, in the direction of face A.
+std::array<std::uint32_t, 2> edge_vertices(const Surface& surface, std::uint32_t edge);
 
 }  // namespace hw

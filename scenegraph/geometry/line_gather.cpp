@@ -97,7 +97,7 @@ class ObjectGathering {
  private:
     void add_contour(std::uint32_t edge)
     {
-        const auto [a, b] = object_.surface->edges.vertices[edge];
+        const auto [a, b] = edge_vertices(*object_.surface, edge);
         const auto part = part_in_picture(space_, drawn_.view[a], drawn_.view[b]);
         if (part) found_.contours.push_back({part->from, part->to});
     }
@@ -129,7 +129,7 @@ class ObjectGathering {
     /// Whether all faces beside an edge are absent. Complex edges have more faces than the table names.
     bool is_behind_the_scenes(std::uint32_t edge) const
     {
-        const auto [a, b] = object_.surface->edges.faces[edge];
+        const auto [a, b] = object_.surface->edges[edge].faces();
         if (!object_.is_culled || !is_absent(a)) return false;
         if (b == kNoFace) return true;
         return edge >= object_.surface->edges.two_faced().begin && is_absent(unturned(b));
@@ -138,13 +138,13 @@ class ObjectGathering {
     void add_line(std::uint32_t edge, VisibleLineClass line_class)
     {
         if (is_behind_the_scenes(edge)) return;
-        const EdgeTable& edges = object_.surface->edges;
-        const auto [a, b] = edges.vertices[edge];
+        const auto [a, b] = edge_vertices(*object_.surface, edge);
+        const std::array<std::uint32_t, 2> faces = object_.surface->edges[edge].faces();
         const auto part = part_in_picture(space_, drawn_.view[a], drawn_.view[b]);
         if (!part || is_left_out(edge)) return;
         DrawnLine line{index_, line_class, {a, b}, {kNoFace, kNoFace}, *part};
         for (int side = 0; side < 2; ++side) {
-            const std::uint32_t face = edges.faces[edge][side];
+            const std::uint32_t face = faces[side];
             if (face != kNoFace) line.faces[side] = drawn_.first_face + unturned(face);
         }
         found_.lines.push_back(line);
@@ -183,7 +183,7 @@ class ObjectGathering {
         find_facing(*object_.surface, drawn_.eye_object, FacingPrecision::exact, scratch_);
         for (const EdgeRange range : artist) {
             for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-                const auto [a, b] = object_.surface->edges.faces[edge];
+                const auto [a, b] = object_.surface->edges[edge].faces();
                 if (is_front_facing(scratch_, a) != is_front_facing(scratch_, b)) {
                     add_line(edge, VisibleLineClass::silhouette);
                 }

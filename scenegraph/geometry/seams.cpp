@@ -47,7 +47,7 @@ std::vector<EdgeSide> sides_of_lines(const Surface& surface, float crease_rad)
     std::map<std::array<std::uint32_t, 2>, std::uint32_t> edge_at;
     const auto add = [&](EdgeRange range) {
         for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-            const auto [a, b] = surface.edges.vertices[edge];
+            const auto [a, b] = edge_vertices(surface, edge);
             edge_at[{std::min(a, b), std::max(a, b)}] = edge;
         }
     };
@@ -64,7 +64,7 @@ std::vector<EdgeSide> sides_of_lines(const Surface& surface, float crease_rad)
             if (found == edge_at.end()) continue;
             const std::uint32_t apex = apex_of(surface, face, {from, to});
             if (apex == kNoFace) continue;
-            sides.push_back({found->second, apex, surface.edges.vertices[found->second][0] == from});
+            sides.push_back({found->second, apex, edge_vertices(surface, found->second)[0] == from});
         }
     }
     std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
@@ -115,7 +115,7 @@ class SeamSearch {
         for (std::uint32_t first = 0; first < sides.size();) {
             std::uint32_t end = first + 1;
             while (end < sides.size() && sides[end].edge == sides[first].edge) ++end;
-            const auto [a, b] = surface.edges.vertices[sides[first].edge];
+            const auto [a, b] = edge_vertices(surface, sides[first].edge);
             segments_.push_back({in_world(object, a), in_world(object, b), objects_[object].style});
             lines_.push_back({object, sides[first].edge, first, end - first});
             first = end;
@@ -261,7 +261,7 @@ class SeamSearch {
         }
         seams.partly_hidden.push_back(lines_[line].edge);
         const Surface& surface = *objects_[lines_[line].object].surface;
-        const auto [a, b] = surface.edges.vertices[lines_[line].edge];
+        const auto [a, b] = edge_vertices(surface, lines_[line].edge);
         const glm::dvec3 from = surface.positions[a], to = surface.positions[b];
         for (const Interval& piece : kept) {
             seams.kept.push_back(

@@ -17,19 +17,16 @@ struct SilhouetteSearch {
     bool has_turned_faces;  ///< Twins count as turned over; else as the faces are wound.
 };
 
-template <typename T>
-void make_room(std::vector<T>& memory, std::size_t size)
+template <typename Vector>
+void make_room(Vector& memory, std::size_t size)
 {
     if (memory.size() < size) memory.resize(size);
 }
 
-/// The sign of a face by doubles, or exactly where they do not suffice; counted.
-int counted_facing_sign(const Surface& surface, std::uint32_t face, const Viewpoint& viewpoint,
+/// Whether a face that the planes leave open looks at the viewer, by doubles, or exactly where they do not suffice;
+/// counted.
+bool is_open_face_front(const Surface& surface, std::uint32_t face, const Viewpoint& viewpoint,
                         SilhouetteCounters& counters);
-
-/// Decides blocks of 32 faces into scratch.facing, all three stages; collinear faces are not decided.
-void decide_blocks(const Surface& surface, const Viewpoint& viewpoint, const FacingFilter::Query& query,
-                   std::uint32_t first_block, std::uint32_t block_count, SilhouetteScratch& scratch);
 
 /// Whether a face turned over looks at the viewer. A face whose plane contains the eye is back-facing from both sides.
 bool is_twin_facing(const Surface& surface, std::uint32_t twin, const Viewpoint& viewpoint,

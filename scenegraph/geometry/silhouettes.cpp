@@ -3,6 +3,8 @@
 #include "geometry/silhouettes.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "geometry/predicates.hpp"
@@ -23,10 +25,42 @@ bool rounded_facing(const Surface& surface, std::uint32_t face, const Viewpoint&
 }
 
 template <typename Vector>
-void decide_rounded(const Surface& surface, const Viewpoint& viewpoint, std::vector<std::uint8_t>& facing)
+void decide_rounded(const Surface& surface, const Viewpoint& viewpoint, std::span<std::uint8_t> facing)
 {
     for (std::uint32_t face = 0; face < surface.faces.size(); ++face) {
         facing[face] = rounded_facing<Vector>(surface, face, viewpoint);
+    }
+    for (const auto& entry : surface.filter.inherited) {
+        facing[entry.face] = entry.source != kNoFace && facing[entry.source] != 0;
+    }
+}
+
+/// For each byte its eight bits as bytes of 0 or 1, the lowest first.
+constexpr std::array<std::array<std::uint8_t, 8>, 256> kBytesOfBits = [] {
+    std::array<std::array<std::uint8_t, 8>, 256> table{};
+    for (unsigned byte = 0; byte < 256; ++byte) {
+        for (unsigned bit = 0; bit < 8; ++bit) table[byte][bit] = byte >> bit & 1;
+    }
+    return table;
+}();
+
+void decide_exactly(const Surface& surface, const Viewpoint& viewpoint, SilhouetteScratch& scratch)
+{
+    const FacingFilter& filter = surface.filter;
+    const std::uint32_t words = (filter.face_count() + 31) / 32;
+    make_room(scratch.front, words);
+    make_room(scratch.open, words);
+    decide_planes(filter.planes().block(0), filter.face_count(), filter.eye_steps(viewpoint),
+                  {scratch.front, scratch.open});
+    for (std::uint32_t word = 0; word < words; ++word) {
+        std::uint8_t* const facing = scratch.facing.data() + std::size_t{32} * word;
+        for (unsigned byte = 0; byte < 4; ++byte) {
+            std::memcpy(facing + 8 * byte, kBytesOfBits[scratch.front[word] >> 8 * byte & 255].data(), 8);
+        }
+        for (std::uint32_t open = scratch.open[word]; open != 0; open &= open - 1) {
+            const auto bit = static_cast<std::uint32_t>(std::countr_zero(open));
+            facing[bit] = is_open_face_front(surface, 32 * word + bit, viewpoint, scratch.counters);
+        }
     }
 }
 
@@ -35,14 +69,17 @@ void decide_rounded(const Surface& surface, const Viewpoint& viewpoint, std::vec
 std::uint32_t append_differing(const Surface& surface, EdgeRange range, SilhouetteScratch& scratch, std::uint32_t count)
 {
     const std::uint8_t* const facing = scratch.facing.data();
-    const std::array<std::uint32_t, 2>* const faces = surface.edges.faces.data();
+    const Edge* const edges = surface.edges.edges.data();
+    const auto differs = [=](std::uint32_t edge) -> std::uint32_t {
+        return facing[edges[edge].face_a()] ^ facing[edges[edge].face_b];
+    };
     std::uint32_t* const found = scratch.edges.data();
     std::uint32_t edge = range.begin;
     for (; edge + 4 <= range.end; edge += 4) {
-        const std::uint32_t a = facing[faces[edge][0]] ^ facing[faces[edge][1]];
-        const std::uint32_t b = facing[faces[edge + 1][0]] ^ facing[faces[edge + 1][1]];
-        const std::uint32_t c = facing[faces[edge + 2][0]] ^ facing[faces[edge + 2][1]];
-        const std::uint32_t d = facing[faces[edge + 3][0]] ^ facing[faces[edge + 3][1]];
+        const std::uint32_t a = differs(edge);
+        const std::uint32_t b = differs(edge + 1);
+        const std::uint32_t c = differs(edge + 2);
+        const std::uint32_t d = differs(edge + 3);
         if ((a | b | c | d) == 0) continue;
         // Each is kept only when it differs: no branch to mispredict.
         found[count] = edge;
@@ -56,10 +93,21 @@ std::uint32_t append_differing(const Surface& surface, EdgeRange range, Silhouet
     }
     for (; edge < range.end; ++edge) {
         found[count] = edge;
-        count += facing[faces[edge][0]] ^ facing[faces[edge][1]];
+        count += differs(edge);
     }
     scratch.counters.edges_tested += range.size();
     return count;
+}
+
+int counted_facing_sign(const Surface& surface, std::uint32_t face, const Viewpoint& viewpoint,
+                        SilhouetteCounters& counters)
+{
+    const auto& [a, b, c] = surface.faces[face];
+    PredicateStage stage;
+    const int sign = facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], viewpoint, &stage);
+    ++counters.double_stage;
+    counters.exact_stage += stage == PredicateStage::exact;
+    return sign;
 }
 
 bool takes_hierarchy(const Surface& surface, const SilhouetteOptions& options)
@@ -85,7 +133,7 @@ std::uint32_t search_all(const SilhouetteSearch& search, FacingPrecision precisi
 std::span<const std::uint32_t> search(const SilhouetteSearch& search, const SilhouetteOptions& options,
                                       SilhouetteScratch& scratch)
 {
-    std::size_t most = 1;  // brute force writes one past the last
+    std::size_t most = 1;  // one is written past the last
     for (const EdgeRange range : search.ranges) most += range.size();
     make_room(scratch.edges, most);
     const std::uint32_t count = takes_hierarchy(search.surface, options)
@@ -97,26 +145,11 @@ std::span<const std::uint32_t> search(const SilhouetteSearch& search, const Silh
 
 }  // namespace
 
-int counted_facing_sign(const Surface& surface, std::uint32_t face, const Viewpoint& viewpoint,
+bool is_open_face_front(const Surface& surface, std::uint32_t face, const Viewpoint& viewpoint,
                         SilhouetteCounters& counters)
 {
-    const auto& [a, b, c] = surface.faces[face];
-    PredicateStage stage;
-    const int sign = facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], viewpoint, &stage);
-    ++counters.double_stage;
-    counters.exact_stage += stage == PredicateStage::exact;
-    return sign;
-}
-
-void decide_blocks(const Surface& surface, const Viewpoint& viewpoint, const FacingFilter::Query& query,
-                   std::uint32_t first_block, std::uint32_t block_count, SilhouetteScratch& scratch)
-{
-    const std::uint32_t open =
-        surface.filter.decide(query, first_block, block_count, scratch.facing, scratch.open_faces, 0);
-    for (std::uint32_t i = 0; i < open; ++i) {
-        const std::uint32_t face = scratch.open_faces[i];
-        scratch.facing[face] = counted_facing_sign(surface, face, viewpoint, scratch.counters) > 0;
-    }
+    const std::uint32_t plane = plane_face(surface, face);
+    return plane != kNoFace && counted_facing_sign(surface, plane, viewpoint, counters) > 0;
 }
 
 bool is_twin_facing(const Surface& surface, std::uint32_t twin, const Viewpoint& viewpoint,
@@ -130,12 +163,11 @@ void find_facing(const Surface& surface, const Viewpoint& viewpoint_object, Faci
                  SilhouetteScratch& scratch)
 {
     const FacingFilter& filter = surface.filter;
-    const std::size_t padded = std::size_t{filter.block_count()} * FacingFilter::kBlock;
-    make_room(scratch.facing, padded + filter.twins.size());
-    make_room(scratch.open_faces, padded);
+    const std::size_t whole_words = (surface.faces.size() + 31) / 32 * 32;
+    make_room(scratch.facing, whole_words + filter.twins.size());
     switch (precision) {
         case FacingPrecision::exact:
-            decide_blocks(surface, viewpoint_object, filter.query(viewpoint_object), 0, filter.block_count(), scratch);
+            decide_exactly(surface, viewpoint_object, scratch);
             break;
         case FacingPrecision::single_only:
             decide_rounded<glm::vec3>(surface, viewpoint_object, scratch.facing);
@@ -143,9 +175,6 @@ void find_facing(const Surface& surface, const Viewpoint& viewpoint_object, Faci
         case FacingPrecision::double_only:
             decide_rounded<glm::dvec3>(surface, viewpoint_object, scratch.facing);
             break;
-    }
-    for (const auto& entry : filter.inherited) {
-        scratch.facing[entry.face] = entry.source != kNoFace && is_front_facing(scratch, entry.source);
     }
     for (std::uint32_t twin = 0; twin < filter.twins.size(); ++twin) {
         scratch.facing[surface.faces.size() + twin] = is_twin_facing(surface, twin, viewpoint_object, scratch.counters);

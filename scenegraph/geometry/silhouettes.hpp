@@ -13,8 +13,7 @@ namespace hw {
 enum class FacingPrecision : std::uint8_t { exact, single_only, double_only };
 
 /// `brute` looks at every face and edge, `hierarchy` only into clusters of faces that the contour may pass through,
-/// which needs the exact precision and a surface that has clusters. `automatic` takes the hierarchy where there is one:
-/// it pays on fine meshes only, since deciding a face by brute force takes a quarter of a nanosecond.
+/// which needs the exact precision and a surface that has clusters. `automatic` takes the hierarchy where there is one.
 enum class SilhouetteMethod : std::uint8_t { automatic, brute, hierarchy };
 
 struct SilhouetteOptions {
@@ -35,12 +34,11 @@ struct SilhouetteCounters {
 
 /// Memory kept between calls: once it has grown to the largest surface, no call allocates. One for each thread.
 struct SilhouetteScratch {
-    std::vector<std::uint8_t> facing;  ///< 1: the face looks at the viewer. Whole only after find_facing().
-    std::vector<std::uint32_t> open_faces;
+    std::vector<std::uint8_t> facing;  ///< 1: the face looks at the viewer. Only after find_facing().
     std::vector<std::uint32_t> edges;
-    std::vector<FaceClusters::Facing> groups;
-    std::vector<std::uint32_t> masks;  ///< Of each cluster, a bit for each face.
-    std::vector<std::uint32_t> mixed;  ///< Clusters whose faces had to be looked at.
+    std::vector<std::uint32_t> front;  ///< A bit for each face, or for each group of clusters: front for certain.
+    std::vector<std::uint32_t> open;   ///< The same: not decided.
+    std::vector<std::uint32_t> mixed;  ///< Clusters that were looked into.
     SilhouetteCounters counters;
 };
 

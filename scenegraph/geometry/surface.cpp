@@ -7,6 +7,7 @@
 
 #include "geometry/artist_edges.hpp"
 #include "geometry/directed_edges.hpp"
+#include "geometry/outline_order.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/stitch.hpp"
 #include "geometry/surface_faces.hpp"
@@ -54,7 +55,7 @@ class SurfaceBuild {
         surface_.report.triangles_in = static_cast<std::uint32_t>(mesh_.triangle_count());
         surface_.report.removed_faces = surface_.report.triangles_in - static_cast<std::uint32_t>(welded.faces.size());
         surface_.positions = std::move(welded.positions);
-        for (const std::uint32_t face : spatial_order(surface_.positions, welded.faces)) {
+        for (const std::uint32_t face : outline_order(surface_.positions, welded.faces)) {
             surface_.faces.push_back(welded.faces[face]);
             surface_.face_triangle.push_back(welded.face_triangle[face]);
         }
@@ -175,36 +176,33 @@ class SurfaceBuild {
 
     void collect_edges()
     {
-        EdgeTable& table = surface_.edges;
         SurfaceReport& report = surface_.report;
-        for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
-            const std::uint32_t from = edge[0].is_forward ? edge[0].low : edge[0].high;
-            const std::uint32_t to = edge[0].is_forward ? edge[0].high : edge[0].low;
-            if (edge.size() == 2) {
-                std::uint32_t face_b = edge[1].face;
-                if (edge[0].is_forward == edge[1].is_forward) {
-                    surface_.filter.twins.push_back({face_b});
-                    face_b = static_cast<std::uint32_t>(surface_.faces.size() + surface_.filter.twins.size() - 1);
-                }
-                inner_.push_back({.vertices = {from, to}, .faces = {edge[0].face, face_b}});
+        for_each_edge(uses_, [&](std::span<const EdgeUse> uses) {
+            const EdgeUse& use = uses[0];
+            Edge edge{Edge::side(use.face, use.corner), uses.size() == 1 ? kNoFace : uses[1].face};
+            if (uses.size() != 2) {
+                ++(uses.size() == 1 ? report.border_edges : report.complex_edges);
+                surface_.edges.edges.push_back(edge);
                 return;
             }
-            ++(edge.size() == 1 ? report.border_edges : report.complex_edges);
-            table.vertices.push_back({from, to});
-            table.faces.push_back({edge[0].face, edge.size() == 1 ? kNoFace : edge[1].face});
+            if (use.is_forward == uses[1].is_forward) {
+                surface_.filter.twins.push_back({edge.face_b});
+                edge.face_b = static_cast<std::uint32_t>(surface_.faces.size() + surface_.filter.twins.size() - 1);
+            }
+            inner_.push_back({.edge = edge, .vertices = {use.low, use.high}});
         });
         report.inconsistent_edges = static_cast<std::uint32_t>(surface_.filter.twins.size());
-        for (InnerEdge& edge : inner_) edge.fold_rad = hw::fold_rad(surface_, edge.faces[0], edge.faces[1]);
+        for (InnerEdge& inner : inner_) inner.fold_rad = hw::fold_rad(surface_, inner.edge.face_a(), inner.edge.face_b);
     }
 
     EdgeGroup group_of(const InnerEdge& edge) const
     {
-        const int sign = convexity_sign(surface_, edge.faces[0], edge.faces[1]);
+        const int sign = convexity_sign(surface_, edge.edge.face_a(), edge.edge.face_b);
         // Two faces folded onto each other are coplanar, yet a knife's edge and not flat.
         const bool is_convex = sign < 0 || (sign == 0 && edge.fold_rad > 1.0f);
         if (edge.is_artist) return is_convex ? EdgeGroup::artist_convex : EdgeGroup::artist_reflex;
         if (is_convex) return EdgeGroup::convex;
-        const SurfaceComponent& component = surface_.components[surface_.face_component[edge.faces[0]]];
+        const SurfaceComponent& component = surface_.components[surface_.face_component[edge.edge.face_a()]];
         return sign == 0 || component.has_reflex_rule ? EdgeGroup::reflex_silent : EdgeGroup::reflex;
     }
 
@@ -227,13 +225,11 @@ class SurfaceBuild {
         });
         table.group_begin.fill(table.size() + static_cast<std::uint32_t>(inner_.size()));
         table.group_begin[0] = 0;
-        table.vertices.reserve(table.size() + inner_.size());
-        table.faces.reserve(table.size() + inner_.size());
+        table.edges.reserve(table.size() + inner_.size());
         for (const Placed& placed : order) {
             std::uint32_t& begin = table.group_begin[static_cast<std::size_t>(placed.group)];
             begin = std::min(begin, table.size());
-            table.vertices.push_back(inner_[placed.index].vertices);
-            table.faces.push_back(inner_[placed.index].faces);
+            table.edges.push_back(inner_[placed.index].edge);
         }
         for (int group = kEdgeGroupCount - 1; group > 0; --group) {
             table.group_begin[group] = std::min(table.group_begin[group], table.group_begin[group + 1]);
@@ -255,10 +251,11 @@ Surface build_surface(const MeshData& mesh, const SurfaceOptions& options)
     return SurfaceBuild(mesh, options).run();
 }
 
-std::size_t edge_bytes(const Surface& surface)
+OutlineBytes outline_bytes(const Surface& surface)
 {
-    return surface.edges.vertices.size() * sizeof(surface.edges.vertices[0]) +
-           surface.edges.faces.size() * sizeof(surface.edges.faces[0]);
+    return {.edges = surface.edges.edges.size() * sizeof(Edge),
+            .planes = surface.filter.bytes(),
+            .clusters = surface.clusters.bytes()};
 }
 
 }  // namespace hw

@@ -21,7 +21,7 @@ struct SurfaceOptions {
     /// Where the model's own normals split over a smaller fold than this, nobody meant an edge.
     float artist_fold_rad = 0.035f;
     /// From so many faces on the surface gets clusters for silhouettes. Measured: they pay from here on.
-    std::uint32_t cluster_from_faces = 300'000;
+    std::uint32_t cluster_from_faces = 2'000;
 };
 
 /// What the making of a surface found and repaired, for `hatchway info`.
@@ -52,7 +52,7 @@ struct SurfaceComponent {
 /// A mesh with its adjacency, in object space: what outlines are found on. Plain data, made once by build_surface().
 struct Surface {
     std::vector<glm::vec3> positions;  ///< Welded; no two are equal.
-    /// Into `positions`, winding repaired, collinear faces included. In spatial order.
+    /// Into `positions`, winding repaired, collinear faces included. In outline order.
     std::vector<std::array<std::uint32_t, 3>> faces;
     std::vector<std::uint32_t> face_triangle;   ///< The triangle of the MeshData that a face came from.
     std::vector<std::uint32_t> face_component;  ///< Into `components`.
@@ -68,6 +68,11 @@ struct Surface {
 Surface build_surface(const MeshData& mesh, const SurfaceOptions& options = {});
 
 /// Memory that the surface holds for outlines beside positions and faces.
-std::size_t edge_bytes(const Surface& surface);
+struct OutlineBytes {
+    std::size_t edges = 0;     ///< Of the edge table: all that an edge costs that is drawn from every viewpoint.
+    std::size_t planes = 0;    ///< Rounded planes, a property of faces.
+    std::size_t clusters = 0;  ///< Of the hierarchy; 0 where a surface has none.
+};
+OutlineBytes outline_bytes(const Surface& surface);
 
 }  // namespace hw

@@ -30,7 +30,7 @@ EdgeValues edge_values(const Surface& surface, float crease_rad, EdgeExport& cou
     const EdgeClasses classes = classes_at(surface, crease_rad);
     const auto add = [&](EdgeRange range, Visibility value) {
         for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-            const auto [a, b] = surface.edges.vertices[edge];
+            const auto [a, b] = edge_vertices(surface, edge);
             values[{std::min(a, b), std::max(a, b)}] = value;
             ++(value == kDrawn ? counts.drawn_edges : counts.silhouette_edges);
         }

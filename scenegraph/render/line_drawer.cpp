@@ -76,7 +76,7 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
         if (scratch_.counters.objects_without_work == idle) ++counters_.silhouette_extractions;
         counters_.silhouette_edges += contours.size();
         for (const std::uint32_t edge : contours) {
-            const auto& ends = surface->edges.vertices[edge];
+            const auto ends = edge_vertices(*surface, edge);
             append_line(vertices_, surface->positions[ends[0]], surface->positions[ends[1]], LineClass::silhouette);
         }
     }

@@ -51,7 +51,7 @@ class RunBuilder {
         LineMesh::Run run{line_class, line_count(), 0, group, {}};
         for (std::uint32_t id = range.begin; id < range.end; ++id) {
             if (is_hidden(id)) continue;
-            const auto& ends = surface_.edges.vertices[id];
+            const auto ends = edge_vertices(surface_, id);
             add_line(surface_.positions[ends[0]], surface_.positions[ends[1]], line_class, sides_of(id),
                      is_crease(line_class) ? fold_rad(surface_, id) : 0.0f);
             if (is_cut_by_angle(group)) run.edge_ids.push_back(id);
@@ -87,7 +87,7 @@ class RunBuilder {
     /// None where a repair turned faces: the drawn ones wind as the model says. None for complex edges: they have more.
     LineSides sides_of(std::uint32_t id) const
     {
-        const auto& faces = surface_.edges.faces[id];
+        const auto faces = surface_.edges[id].faces();
         const bool is_border = id < surface_.edges.two_faced().begin;
         if (!has_sides_ || faces[0] >= surface_.faces.size()) return {};
         const LineSides alone{normal_of(faces[0]), normal_of(faces[0])};

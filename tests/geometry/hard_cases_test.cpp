@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 #include "geometry/predicates.hpp"
 #include "geometry/silhouette_checks.hpp"
@@ -14,9 +15,16 @@ using namespace hw::test;
 
 constexpr auto kRational = hw::SilhouetteOracle::Arithmetic::rational_only;
 
+/// With clusters, so that both ways to find silhouettes are tried.
 hw::Surface surface_of(const hw::MeshData& mesh)
 {
-    return hw::build_surface(mesh);
+    return hw::build_surface(mesh, {.cluster_from_faces = 1});
+}
+
+/// Two faces on the edge from the origin to +z; the second's apex is `height` above the plane y = 0 of the first.
+hw::MeshData flaps(float height)
+{
+    return mesh_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5f}, {-1, height, 0.5f}}, {0, 1, 2, 1, 0, 3});
 }
 
 /// A fan of `count` faces around the edge from the origin to +z.
@@ -150,7 +158,7 @@ TEST(hard_meshes, a_moebius_strip_shows_no_line_where_its_winding_turns)
     const hw::Surface surface = surface_of(moebius_strip(400));
     std::uint32_t turn = 0;
     for (std::uint32_t edge = 0; edge < surface.edges.size(); ++edge) {
-        if (surface.edges.faces[edge][1] != hw::kNoFace && surface.edges.faces[edge][1] >= surface.faces.size())
+        if (surface.edges[edge].face_b != hw::kNoFace && surface.edges[edge].face_b >= surface.faces.size())
             turn = edge;
     }
     ASSERT_LT(hw::fold_rad(surface, turn), 0.1f);
@@ -235,6 +243,31 @@ TEST(hard_meshes, a_normal_that_is_zero_says_nothing)
     EXPECT_EQ(surface_of(mesh).report.artist_edges, 0u);
 }
 
+TEST(hard_meshes, dihedral_exactly_at_the_threshold)
+{
+    // An edge folded by the crease angle itself is no crease; the next larger angle that counts makes it one.
+    constexpr float kRightAngle = 1.57079633f;
+    const hw::Surface surface = surface_of(box({0, 0, 0}, {1, 1, 1}));
+    EXPECT_EQ(hw::classes_at(surface, kRightAngle).crease_count(), 0u);
+    EXPECT_EQ(hw::classes_at(surface, kRightAngle).candidate_count(), 12u);
+    EXPECT_EQ(hw::classes_at(surface, kRightAngle - 1e-5f).crease_count(), 12u);
+    EXPECT_EQ(hw::classes_at(surface, kRightAngle - 1e-5f).candidate_count(), 0u);
+}
+
+TEST(hard_meshes, concavity_of_the_smallest_float_that_there_is)
+{
+    // The faces look at -y or +y; a step as small as floats can tell decides between ridge, flat and valley.
+    const float tiny = std::numeric_limits<float>::min();
+    const auto group_of = [](const hw::Surface& surface, hw::EdgeGroup group) {
+        return surface.edges.group(group).size();
+    };
+    const hw::Surface flat = surface_of(flaps(0.0f)), up = surface_of(flaps(tiny)), down = surface_of(flaps(-tiny));
+    EXPECT_EQ(group_of(flat, hw::EdgeGroup::reflex_silent), 1u);
+    EXPECT_EQ(group_of(up, hw::EdgeGroup::reflex) + group_of(down, hw::EdgeGroup::reflex), 1u);
+    EXPECT_EQ(group_of(up, hw::EdgeGroup::convex) + group_of(down, hw::EdgeGroup::convex), 1u);
+    for (const hw::Surface* surface : {&flat, &up, &down}) EXPECT_EQ(wrong_edges_in_all_views(*surface, true), 0u);
+}
+
 TEST(hard_viewers, eye_in_the_plane_of_a_face)
 {
     const hw::Surface surface = surface_of(box({0, 0, 0}, {1, 1, 1}));
@@ -295,7 +328,7 @@ TEST(hard_viewers, mirrored_and_non_uniform_transforms)
 
 TEST(hard_viewers, orthographic_views_parallel_to_faces_and_edges)
 {
-    const hw::Surface block = hw::build_surface(box({-1, -2, -3}, {4, 5, 6}));
+    const hw::Surface block = surface_of(box({-1, -2, -3}, {4, 5, 6}));
     const hw::SilhouetteOracle oracle(block.positions, block.faces, hw::SilhouetteOracle::Arithmetic::rational_only);
     hw::SilhouetteScratch scratch;
     for (int i = 0; i < 27; ++i) {
@@ -304,9 +337,41 @@ TEST(hard_viewers, orthographic_views_parallel_to_faces_and_edges)
     }
 }
 
+TEST(hard_viewers, orthographic_along_the_plane_of_every_face)
+{
+    const hw::Surface surface = surface_of(torus(16, 10));
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces, kRational);
+    hw::SilhouetteScratch scratch;
+    for (const auto& [a, b, c] : surface.faces) {
+        const glm::dvec3 side = glm::dvec3(surface.positions[b]) - glm::dvec3(surface.positions[a]);
+        EXPECT_EQ(wrong_edges(surface, {side, true}, oracle, scratch), 0u);
+    }
+}
+
+TEST(hard_viewers, eye_on_every_vertex_and_edge_and_face_of_a_curved_mesh)
+{
+    const hw::Surface surface = surface_of(torus(12, 8));
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces, kRational);
+    hw::SilhouetteScratch scratch;
+    for (const auto& corners : surface.faces) {
+        const glm::dvec3 a = surface.positions[corners[0]], b = surface.positions[corners[1]],
+                         c = surface.positions[corners[2]];
+        for (const glm::dvec3& eye : {a, 0.5 * (a + b), 0.25 * a + 0.5 * b + 0.25 * c}) {
+            EXPECT_EQ(wrong_edges(surface, {eye}, oracle, scratch), 0u);
+        }
+    }
+}
+
+TEST(hard_viewers, a_singular_transform_makes_no_eye)
+{
+    const glm::dmat4 flat = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 0.0, 1.0));
+    EXPECT_EQ(hw::in_object({glm::dvec3(4.0, 5.0, 6.0)}, flat).eye, glm::dvec3(0.0));
+}
+
 TEST(hard_viewers, mixed_scales_in_one_mesh)
 {
     const hw::MeshData mixed =
         joined({box({0, 0, 0}, {1e-6f, 1e-6f, 1e-6f}), box({-1e6f, -1e6f, -1e6f}, {-1, -1, -1})});
-    EXPECT_EQ(wrong_edges_in_all_views(hw::build_surface(mixed, {.stitch_share = 0.0f}), true), 0u);
+    EXPECT_EQ(wrong_edges_in_all_views(hw::build_surface(mixed, {.stitch_share = 0.0f, .cluster_from_faces = 1}), true),
+              0u);
 }

@@ -28,7 +28,7 @@ hw::Surface floor_tile()
 double hidden_length(const hw::Surface& surface, const hw::Seams& seams)
 {
     const auto length = [&](std::uint32_t edge) {
-        const auto [a, b] = surface.edges.vertices[edge];
+        const auto [a, b] = hw::edge_vertices(surface, edge);
         return glm::distance(surface.positions[a], surface.positions[b]);
     };
     double sum = 0.0;
@@ -47,8 +47,8 @@ TEST(seams, two_coplanar_tiles_side_by_side_lose_their_common_border)
     const auto seams = hw::find_seams(objects);
     ASSERT_EQ(seams[0].hidden.size(), 1u);
     ASSERT_EQ(seams[1].hidden.size(), 1u);
-    for (const std::uint32_t end : tile.edges.vertices[seams[0].hidden[0]]) EXPECT_EQ(tile.positions[end].x, 1.0f);
-    for (const std::uint32_t end : tile.edges.vertices[seams[1].hidden[0]]) EXPECT_EQ(tile.positions[end].x, 0.0f);
+    for (const std::uint32_t end : hw::edge_vertices(tile, seams[0].hidden[0])) EXPECT_EQ(tile.positions[end].x, 1.0f);
+    for (const std::uint32_t end : hw::edge_vertices(tile, seams[1].hidden[0])) EXPECT_EQ(tile.positions[end].x, 0.0f);
 }
 
 TEST(seams, tiles_of_different_styles_keep_their_borders)

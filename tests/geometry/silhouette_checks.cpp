@@ -39,11 +39,11 @@ std::vector<glm::dvec3> eyes_around(const Surface& surface)
 }
 
 std::vector<OracleEdge> found_edges(const Surface& surface, const Viewpoint& viewpoint, SilhouetteScratch& scratch,
-                                    FacingPrecision precision)
+                                    const SilhouetteOptions& options)
 {
     std::vector<OracleEdge> found;
-    for (const std::uint32_t edge : all_silhouettes(surface, viewpoint, {.precision = precision}, scratch)) {
-        const auto [u, v] = surface.edges.vertices[edge];
+    for (const std::uint32_t edge : all_silhouettes(surface, viewpoint, options, scratch)) {
+        const auto [u, v] = edge_vertices(surface, edge);
         found.push_back({std::min(u, v), std::max(u, v)});
     }
     std::sort(found.begin(), found.end());
@@ -54,8 +54,16 @@ std::size_t wrong_edges(const Surface& surface, const Viewpoint& viewpoint, cons
                         SilhouetteScratch& scratch, FacingPrecision precision)
 {
     const auto expected = oracle.silhouettes(viewpoint.eye, viewpoint.is_orthographic ? 0.0 : 1.0);
-    const auto errors = oracle.judge(found_edges(surface, viewpoint, scratch, precision), expected);
-    return errors.false_positives + errors.false_negatives + errors.odd_vertices;
+    std::vector<SilhouetteMethod> methods{SilhouetteMethod::brute};
+    if (precision == FacingPrecision::exact && !surface.clusters.is_empty())
+        methods.push_back(SilhouetteMethod::hierarchy);
+    std::size_t wrong = 0;
+    for (const SilhouetteMethod method : methods) {
+        const SilhouetteOptions options{.precision = precision, .method = method};
+        const auto errors = oracle.judge(found_edges(surface, viewpoint, scratch, options), expected);
+        wrong += errors.false_positives + errors.false_negatives + errors.odd_vertices;
+    }
+    return wrong;
 }
 
 std::size_t wrong_edges_in_all_views(const Surface& surface, bool every_sign_rational)

@@ -15,9 +15,10 @@ std::vector<glm::dvec3> eyes_around(const Surface& surface);
 
 /// The silhouettes of a surface as the oracle names edges.
 std::vector<OracleEdge> found_edges(const Surface& surface, const Viewpoint& viewpoint, SilhouetteScratch& scratch,
-                                    FacingPrecision precision = FacingPrecision::exact);
+                                    const SilhouetteOptions& options);
 
-/// False positives plus false negatives plus odd vertices against the oracle.
+/// False positives plus false negatives plus odd vertices against the oracle, by brute force and, where the surface has
+/// clusters and the precision is exact, by the hierarchy.
 std::size_t wrong_edges(const Surface& surface, const Viewpoint& viewpoint, const SilhouetteOracle& oracle,
                         SilhouetteScratch& scratch, FacingPrecision precision = FacingPrecision::exact);
 

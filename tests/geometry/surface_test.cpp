@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "geometry/surface_faces.hpp"
 #include "geometry/test_meshes.hpp"
 
 namespace {
@@ -210,13 +213,30 @@ TEST(surface, is_the_same_bit_by_bit_when_built_again)
 {
     const hw::MeshData mesh = joined({torus(20, 10), sphere(9, 7, 3.0f), moebius_strip(30)});
     const hw::Surface a = hw::build_surface(mesh), b = hw::build_surface(mesh);
-    EXPECT_EQ(a.edges.vertices, b.edges.vertices);
-    EXPECT_EQ(a.edges.faces, b.edges.faces);
+    EXPECT_EQ(a.edges.edges, b.edges.edges);
     EXPECT_EQ(a.faces, b.faces);
 }
 
-TEST(surface, takes_at_most_sixteen_bytes_an_edge)
+TEST(surface, takes_eight_bytes_an_edge_and_eight_a_face)
 {
     const hw::Surface surface = hw::build_surface(torus(40, 20));
-    EXPECT_LE(hw::edge_bytes(surface), 16u * surface.edges.size());
+    const hw::OutlineBytes bytes = hw::outline_bytes(surface);
+    EXPECT_EQ(bytes.edges, 8u * surface.edges.size());
+    EXPECT_EQ(bytes.planes, 8u * surface.faces.size());
+    EXPECT_EQ(bytes.clusters, 0u);
+}
+
+TEST(surface, edges_find_their_ends_and_faces)
+{
+    const hw::MeshData mesh = joined({torus(20, 10), sphere(9, 7, 3.0f), moebius_strip(30)});
+    const hw::Surface surface = hw::build_surface(mesh);
+    for (std::uint32_t edge = 0; edge < surface.edges.size(); ++edge) {
+        const auto [from, to] = hw::edge_vertices(surface, edge);
+        for (const std::uint32_t face : surface.edges[edge].faces()) {
+            if (face == hw::kNoFace) continue;
+            const auto corners = hw::face_corners(surface, face);
+            EXPECT_EQ(std::count(corners.begin(), corners.end(), from), 1);
+            EXPECT_EQ(std::count(corners.begin(), corners.end(), to), 1);
+        }
+    }
 }

@@ -288,8 +288,8 @@ TEST(visible_lines, have_the_length_that_rays_through_many_samples_find)
     double expected = 0.0, whole = 0.0;
     const hw::EdgeRange ridges = hw::classes_at(surface, 0.7f).ridges[1];
     for (std::uint32_t edge = ridges.begin; edge < ridges.end; ++edge) {
-        const glm::dvec3 a = surface.positions[surface.edges.vertices[edge][0]];
-        const glm::dvec3 b = surface.positions[surface.edges.vertices[edge][1]];
+        const glm::dvec3 a = surface.positions[hw::edge_vertices(surface, edge)[0]];
+        const glm::dvec3 b = surface.positions[hw::edge_vertices(surface, edge)[1]];
         constexpr int kSamples = 200;
         for (int k = 0; k < kSamples; ++k) {
             const glm::dvec3 from = glm::mix(a, b, k / 200.0), to = glm::mix(a, b, (k + 1) / 200.0);

@@ -38,7 +38,7 @@ TEST(edge_export, creases_come_back_as_the_artists_edges)
     // Without folds the ridge stays drawn: it is the artist's now.
     const hw::EdgeClasses classes = hw::classes_at(surface, 3.2f);
     ASSERT_EQ(classes.artist[0].size(), 1u);
-    const auto [a, b] = surface.edges.vertices[classes.artist[0].begin];
+    const auto [a, b] = hw::edge_vertices(surface, classes.artist[0].begin);
     EXPECT_EQ(surface.positions[a].y, 1.0f);
     EXPECT_EQ(surface.positions[b].y, 1.0f);
 }
