@@ -77,6 +77,7 @@ struct Row {
     double offset = 0.0;
     double scale = 1.0;
     std::vector<double> ms;
+    std::uint64_t faces = 0;
     std::uint64_t edges = 0;
     SilhouetteErrors errors;
     SilhouetteCounters counters;
@@ -240,6 +241,7 @@ void measure_subject(const Subject& subject, Row& row)
             if (row.variant.method != Method::candidates) row.errors.odd_vertices += errors.odd_vertices;
         }
     }
+    row.faces = subject.surface.faces.size();
     row.edges = subject.surface.edges.size();
     row.counters = scratch.counters;
     const OutlineBytes bytes = outline_bytes(subject.surface);
@@ -259,7 +261,7 @@ JsonValue row_json(const Row& row)
     const double calls = static_cast<double>(row.ms.size());
     JsonValue json = JsonValue::object();
     json.set("model", row.model).set("method", row.variant.method_name).set("precision", row.variant.precision_name);
-    json.set("offset", row.offset).set("scale", row.scale);
+    json.set("offset", row.offset).set("scale", row.scale).set("faces", row.faces);
     json.set("ms_median", median).set("ms_p95", quantile(row.ms, 0.95));
     json.set("ns_per_edge", 1e6 * median / static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
     json.set("fp", std::uint64_t{row.errors.false_positives}).set("fn", std::uint64_t{row.errors.false_negatives});

@@ -41,6 +41,22 @@ ReportSection silhouettes_section(const std::vector<std::string>& models)
                        .series_columns = {"method", "precision"}}}};
 }
 
+ReportSection silhouette_growth_section()
+{
+    return {.name = "silhouette_growth",
+            .title = "Silhouettes of one smooth shape, ever finer",
+            .says =
+                "Milliseconds of every method by the number of faces; wrong edges as above. The hierarchy's work grows "
+                "with the contour, brute force with the mesh.",
+            .arguments = {"silhouettes", "--smooth", "30000,125000,500000,2000000", "--offset", "0"},
+            .plots = {{.title = "Time by number of faces",
+                       .x_column = "faces",
+                       .x_label = "faces",
+                       .y_column = "ms_median",
+                       .y_label = "median ms for a view",
+                       .series_columns = {"method", "precision"}}}};
+}
+
 ReportSection frame_section(const std::string& level)
 {
     return {.name = "frame",
@@ -216,6 +232,7 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
         scenes = joined(std::move(scenes), models_in(data / "scenes"));
     }
     return {silhouettes_section(models),
+            silhouette_growth_section(),
             frame_section(hall),
             pvs_section(scenes),
             lightmap_section(),
