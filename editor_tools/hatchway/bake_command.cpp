@@ -57,6 +57,25 @@ std::vector<ObjectId> receivers_of(const Scene& scene, std::span<const std::stri
     return receivers;
 }
 
+constexpr double kShowAgain_s = 5.0;
+
+/// Writes what there is by now, so that a walk through the level shows it, but not at every moment.
+class EarlyResults {
+ public:
+    explicit EarlyResults(const std::filesystem::path& out) : out_(out) {}
+
+    void offer(const BakeState& state)
+    {
+        if (state.seconds - written_s_ < kShowAgain_s) return;
+        write_lightmap(out_, state.lightmap);
+        written_s_ = state.seconds;
+    }
+
+ private:
+    const std::filesystem::path& out_;
+    double written_s_ = 0.0;
+};
+
 void bake(const BakeArguments& arguments)
 {
     const std::filesystem::path out = arguments.out.empty() ? lightmap_path(arguments.file) : arguments.out;
@@ -68,10 +87,12 @@ void bake(const BakeArguments& arguments)
     double seconds = 0.0;
     BakeOptions options = options_of(arguments);
     options.receivers = receivers_of(world->scene, arguments.nodes);
+    EarlyResults early(out);
     const Lightmap lightmap =
         bake_lightmap(world->scene, light_sources_of(level, world->scene), options, [&](const BakeState& state) {
             luxels = state.luxels;
             seconds = state.seconds;
+            early.offer(state);
         });
     write_lightmap(out, lightmap);
     std::cout << fmt::format("{}: {} luxels in {} x {}, {:.3g} luxels per metre; {:.1f} s\n", out.string(), luxels,

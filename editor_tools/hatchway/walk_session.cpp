@@ -141,9 +141,16 @@ void WalkSession::take_input(double seconds)
     controls_ = controls.state;
     for (const CommandCall& call : controls.commands) obey(call);
     if (playing_ && wants_to_move(controls.player)) place(camera());
-    if (!playing_) player_ = step(player_, controls.player, body_, collision(), seconds);
+    if (!playing_) move(controls.player, seconds);
     if (playing_ && now_s() - playing_->since_s > playing_->path.keys.back().t_s - playing_->path.keys.front().t_s)
         place(camera());
+}
+
+void WalkSession::move(const PlayerInput& input, double seconds)
+{
+    const std::uint32_t before = player_.put_back_count;
+    player_ = step(player_, input, body_, collision(), seconds);
+    if (player_.put_back_count != before) tell("You fell out of the world: back where you stood last");
 }
 
 void WalkSession::obey(const CommandCall& call)

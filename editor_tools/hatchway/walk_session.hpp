@@ -58,6 +58,7 @@ class WalkSession {
 
     void frame();
     void take_input(double seconds);
+    void move(const PlayerInput& input, double seconds);
     void obey(const CommandCall& call);
     void go_to_camera(int number);
     void play_path();

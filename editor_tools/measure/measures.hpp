@@ -19,5 +19,6 @@ void add_measure_lines(CLI::App& measure);
 void add_measure_pvs(CLI::App& measure);
 void add_measure_scale(CLI::App& measure);
 void add_measure_silhouettes(CLI::App& measure);
+void add_measure_walk(CLI::App& measure);
 
 }  // namespace hw

@@ -198,6 +198,26 @@ ReportSection lightmap_section()
                        .is_joined = true}}};
 }
 
+ReportSection walk_section(const std::string& hall, const fs::path& data)
+{
+    std::vector<std::string> arguments{"walk", hall};
+    if (!data.empty())
+        for (const char* name : {"scenes/dungeon_kaykit_9x7.glb", "scenes/oa_oa_dm1.glb"})
+            arguments.push_back((data / name).string());
+    return {.name = "walk",
+            .title = "Walking",
+            .says =
+                "A million random inputs in each scene, frames of 1 to 100 ms, judged by distances and crossings that "
+                "the walker does not use: all that is counted as wrong must be 0.",
+            .arguments = std::move(arguments),
+            .plots = {{.title = "Time against what went wrong",
+                       .x_column = "seconds",
+                       .x_label = "seconds",
+                       .y_column = "wrong",
+                       .y_label = "bodies in walls, crossings, stuck walkers",
+                       .series_columns = {"file"}}}};
+}
+
 ReportSection scale_section()
 {
     const auto plot = [](const char* title, const char* column, const char* label) {
@@ -240,6 +260,7 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
             hatch_section(),
             coherence_section(hall),
             ink_section(content / "maps" / "ink"),
+            walk_section(hall, data),
             scale_section()};
 }
 

@@ -123,6 +123,7 @@ void return_to_safety(PlayerState& state)
     state.velocity = glm::dvec3(0.0);
     state.last_foot_world = state.foot_world;
     state.eye_offset_m = 0.0;
+    ++state.put_back_count;
 }
 
 void free_from_solids(PlayerState& state, const PlayerBody& body, const CollisionWorld& world)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 
 #include "walk/capsule_motion.hpp"
@@ -46,10 +47,11 @@ struct PlayerState {
     double yaw_rad = 0.0;    ///< 0 looks along -z, positive turns left.
     double pitch_rad = 0.0;  ///< Positive looks up.
     bool is_flying = false;
-    bool is_carried = false;          ///< Stands on ground.
-    double eye_offset_m = 0.0;        ///< Fades while moving: steps and camera places do not jerk the view.
-    double wedged_s = 0.0;            ///< How long it has been falling without getting anywhere.
-    glm::dvec3 safe_foot_world{0.0};  ///< Where it stood firmly last.
+    bool is_carried = false;           ///< Stands on ground.
+    double eye_offset_m = 0.0;         ///< Fades while moving: steps and camera places do not jerk the view.
+    double wedged_s = 0.0;             ///< How long it has been falling without getting anywhere.
+    glm::dvec3 safe_foot_world{0.0};   ///< Where it stood firmly last.
+    std::uint32_t put_back_count = 0;  ///< How often it was put back there.
 
     glm::dvec3 last_foot_world{0.0};  ///< A tick ago: the view lies between the two.
     double last_yaw_rad = 0.0;

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "gl/context.hpp"
+#include "io/lightmap_file.hpp"
 #include "world/rule_place.hpp"
 
 namespace hw {
@@ -142,6 +143,7 @@ void Stage::watch_files()
     std::vector<std::filesystem::path> paths = maps_.folders();
     paths.push_back(options_.file);
     paths.push_back(shown_.level.scene_file);
+    if (options_.baked_light == BakedLight::if_there) paths.push_back(lightmap_path(options_.file));
     for (const std::filesystem::path& folder : shader_folders()) paths.push_back(folder);
     watch_.watch(paths);
 }
@@ -158,7 +160,7 @@ Reload Stage::reload_changed()
     const std::vector<std::filesystem::path> changed = watch_.changed();
     if (changed.empty()) return Reload::nothing;
 
-    const bool is_model_changed = have_common(changed, {shown_.level.scene_file});
+    const bool is_model_changed = have_common(changed, {shown_.level.scene_file, lightmap_path(options_.file)});
     const bool is_level_changed = is_model_changed || have_common(changed, {options_.file});
     Reload result = is_level_changed ? reload_level(is_model_changed) : Reload::looks;
     if (have_common(changed, shader_folders())) reload_shaders();

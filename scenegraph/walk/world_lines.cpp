@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <numeric>
 
 #include "world/convex_cell.hpp"
 
@@ -56,14 +57,17 @@ void add_leaves(const BspTree& tree, const glm::dvec3& eye_world, Lines& lines)
             (child < 0 ? parent_of_leaf[static_cast<std::size_t>(~child)]
                        : parent_of_node[static_cast<std::size_t>(child)]) = static_cast<int>(node);
     const int own_leaf = leaf_at(tree, eye_world);
-    if (own_leaf < 0) return;
     std::vector<int> leaves;
+    if (own_leaf < 0) {  // from outside all are looked at
+        leaves.resize(static_cast<std::size_t>(tree.leaf_count));
+        std::iota(leaves.begin(), leaves.end(), 0);
+    }
     for (double reach = kLeavesWithin_m; leaves.empty() && reach > 0.01; reach *= 0.5)
         leaves = leaves_near(tree, eye_world, reach);
     std::erase_if(leaves, [&](int leaf) { return tree.is_solid[static_cast<std::size_t>(leaf)] != 0; });
     if (leaves.size() > kMostLeaves) leaves.resize(kMostLeaves);
-    if (std::find(leaves.begin(), leaves.end(), own_leaf) == leaves.end()) leaves.push_back(own_leaf);
-    const int own = tree.cluster_of_leaf[static_cast<std::size_t>(own_leaf)];
+    if (own_leaf >= 0 && std::find(leaves.begin(), leaves.end(), own_leaf) == leaves.end()) leaves.push_back(own_leaf);
+    const int own = own_leaf < 0 ? kNone : tree.cluster_of_leaf[static_cast<std::size_t>(own_leaf)];
     const glm::dvec3 origin = tree.grid.origin_world;
     for (const int leaf : leaves) {
         ConvexCell cell(Box{tree.bounds_world.min - origin, tree.bounds_world.max - origin});

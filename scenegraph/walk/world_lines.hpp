@@ -22,7 +22,7 @@ struct WorldLine {
 
 /// What is shown of a level's visibility.
 struct WorldLineKinds {
-    bool has_leaves = false;   ///< The BSP's leaves around the eye; those of the eye's cluster stand out.
+    bool has_leaves = false;   ///< The BSP's leaves around the eye, from outside all; those of its cluster stand out.
     bool has_portals = false;  ///< The openings that sight flows through; those of the eye's place stand out.
     bool has_pvs = false;      ///< Boxes of the chunks that the PVS lets through from here, and, faint, of the others.
     bool has_wire = false;     ///< The triangles of the chunks that the PVS lets through.

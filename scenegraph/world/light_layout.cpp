@@ -119,7 +119,7 @@ std::vector<bool> find_receivers(const Scene& scene, std::span<const ObjectId> r
 {
     std::vector<bool> result(scene.objects.size(), receivers.empty());
     for (const ObjectId id : receivers) result[id] = true;
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) result[id] = result[id] && takes_part_in_light(scene, id);
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) result[id] = result[id] && receives_light(scene, id);
     return result;
 }
 

@@ -118,19 +118,24 @@ void LightScene::Rays::add(const Scene& scene_data, ObjectId id, const glm::dvec
     object_of_geometry.push_back(id);
 }
 
-bool takes_part_in_light(const Scene& scene, ObjectId id)
+bool receives_light(const Scene& scene, ObjectId id)
 {
     const Object& object = scene.objects[id];
-    const Material& material = scene.materials[object.material];
-    return material.alpha_mode != AlphaMode::blend && !material.is_unlit && !scene.nodes[object.node].is_animated &&
-           !scene.meshes[object.mesh].indices.empty();
+    return !scene.materials[object.material].is_unlit && !scene.meshes[object.mesh].indices.empty();
+}
+
+bool blocks_light(const Scene& scene, ObjectId id)
+{
+    const Object& object = scene.objects[id];
+    return receives_light(scene, id) && scene.materials[object.material].alpha_mode != AlphaMode::blend &&
+           !scene.nodes[object.node].is_animated;
 }
 
 LightScene::LightScene(const Scene& scene) : scene_(scene), rays_(std::make_unique<Rays>())
 {
     Box box;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        if (!takes_part_in_light(scene, id)) continue;
+        if (!blocks_light(scene, id)) continue;
         const glm::dmat4& matrix = scene.world_from_object(id);
         for (const glm::vec3& position : scene.meshes[scene.objects[id].mesh].positions)
             box.add(glm::dvec3(matrix * glm::dvec4(glm::dvec3(position), 1.0)));
@@ -146,7 +151,7 @@ LightScene::LightScene(const Scene& scene) : scene_(scene), rays_(std::make_uniq
     rays_->is_mirrored.resize(scene.objects.size());
     for (const Material& material : scene.materials) mean_emission_.push_back(mean_emission(scene, material));
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        if (!takes_part_in_light(scene, id)) continue;
+        if (!blocks_light(scene, id)) continue;
         rays_->add(scene, id, origin_world_);
         add_emitters(id);
     }

@@ -67,7 +67,11 @@ class LightScene {
     std::unique_ptr<Rays> rays_;
 };
 
-/// Whether light is blocked and sent back by an object.
-bool takes_part_in_light(const Scene& scene, ObjectId object);
+/// Whether an object has baked light of its own: all but unlit ones. What moves gets that of the place where the model
+/// has it.
+bool receives_light(const Scene& scene, ObjectId object);
+
+/// Whether light is blocked and sent back by an object that receives it: not by glass, nor by what moves.
+bool blocks_light(const Scene& scene, ObjectId object);
 
 }  // namespace hw

@@ -109,6 +109,7 @@ Needs TestStyle::needs() const
     if (look) needs.edges = EdgeNeed{.crease_rad = look->crease_rad, .intersections = intersections};
     if (shows_images) needs.images.push_back({"normal_depth", {}});
     needs.shadow = shadow;
+    needs.lightmap = lightmap;
     return needs;
 }
 

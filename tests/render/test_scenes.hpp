@@ -35,6 +35,7 @@ class TestStyle final : public Style {
     bool intersections = false;    ///< Lines where objects cut each other are among them.
     bool shows_images = false;     ///< Takes colours from normal_depth instead.
     ShadowNeed shadow = ShadowNeed::none;
+    bool lightmap = false;
     std::string fragment_file = "test_flat.frag";
 
  private:

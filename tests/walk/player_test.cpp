@@ -381,9 +381,11 @@ TEST(player, falling_out_of_the_world_leads_back_to_where_it_stood)
     const auto world = Solids().quad({-3, 0, -3}, {3, 0, -3}, {3, 0, 3}, {-3, 0, 3}).world();
     auto state = standing_at({0, 0, 0}, world);
     state = after(3.0, state, kForward, world);
+    EXPECT_EQ(state.put_back_count, 0u);
     state = after(20.0, state, {}, world);
     EXPECT_TRUE(state.is_carried);
     EXPECT_GT(state.foot_world.y, -0.01);
+    EXPECT_EQ(state.put_back_count, 1u) << "the screen tells it";
 }
 
 TEST(player, without_anything_to_stand_on_it_floats)
@@ -434,6 +436,19 @@ TEST(player_fuzz, random_inputs_and_frame_times_never_leave_the_room)
         for (int i = 0; i < frames; ++i) state = hw::step(state, input, kBody, world, 1.0 / fps);
         expect_inside_the_room(state, "round " + std::to_string(round));
         if (HasFatalFailure()) return;
+    }
+}
+
+TEST(player_fuzz, wherever_a_camera_is_the_body_begins_outside_of_what_is_solid)
+{
+    const auto world = furnished_room().world();
+    std::mt19937 random(13);
+    const auto within = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 eye(within(-6.3, 6.3), within(-0.3, 4.3), within(-6.3, 6.3));
+        const auto state = hw::placed_at({.eye_world = eye, .target_world = eye + glm::dvec3(1, 0, 0)}, kBody, world);
+        ASSERT_FALSE(hw::overlaps(world, state.foot_world, kBody.gait.capsule))
+            << eye.x << ' ' << eye.y << ' ' << eye.z;
     }
 }
 

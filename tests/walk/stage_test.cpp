@@ -8,7 +8,11 @@
 
 #include "core/error.hpp"
 #include "gl/context.hpp"
+#include "io/gltf_import.hpp"
+#include "io/lightmap_file.hpp"
+#include "walk/level_light.hpp"
 #include "walk/whole_scene.hpp"
+#include "world/light_bake.hpp"
 
 namespace {
 namespace fs = std::filesystem;
@@ -98,6 +102,17 @@ TEST_F(stage, a_saved_model_opens_a_new_world)
 {
     fs::last_write_time(folder_ / "prism.glb", fs::file_time_type::clock::now());
     EXPECT_EQ(reload(), hw::Reload::world);
+}
+
+TEST_F(stage, baked_light_shows_as_soon_as_it_is_written)
+{
+    const auto before = picture();
+    const hw::Scene scene = hw::import_gltf(folder_ / "prism.glb", folder_);
+    const hw::LightSources sources = hw::light_sources_of(stage_->level(), scene);
+    hw::write_lightmap(hw::lightmap_path(folder_ / "a.level.json"),
+                       hw::bake_lightmap(scene, sources, {.luxels_per_m = 1.0, .samples = 4}));
+    EXPECT_EQ(reload(), hw::Reload::world);
+    EXPECT_NE(picture(), before);
 }
 
 TEST_F(stage, rules_that_are_tried_out_come_last_and_go_again)

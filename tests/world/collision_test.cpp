@@ -93,6 +93,20 @@ TEST(collision, what_does_not_collide_or_is_animated_takes_no_part)
     EXPECT_TRUE(build_collision_world(builder.scene(), looks).triangles.empty());
 }
 
+TEST(collision, a_rule_of_the_level_opens_a_wall_and_a_later_one_closes_it)
+{
+    SceneBuilder builder;
+    builder.quad({{{0, -5, -5}, {0, 5, -5}, {0, 5, 5}, {0, -5, 5}}});
+    builder.quad({{{9, -5, -5}, {9, 5, -5}, {9, 5, 5}, {9, -5, 5}}});
+    Level level;
+    level.assign = {{.nodes = "n*", .collides = false}, {.nodes = "n1", .collides = true}};
+    const CollisionWorld world = build_collision_world(builder.scene(), resolve_looks(level, builder.scene(), "plain"));
+    const SweepHit hit = sweep_capsule(world, {-2, 0, 0}, {20, 0, 0}, kWalker);
+    ASSERT_TRUE(hit.is_hit);
+    EXPECT_EQ(hit.object, 1u);
+    EXPECT_NEAR(hit.foot_world.x, 9.0 - kWalker.radius_m - kCollisionSkin, 1e-6);
+}
+
 TEST(collision, an_empty_world_stops_nothing)
 {
     const CollisionWorld world;

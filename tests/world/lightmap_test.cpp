@@ -224,7 +224,7 @@ TEST(plan_lightmap, a_small_budget_makes_larger_luxels)
     EXPECT_THROW(plan_lightmap(scene, 8.0, 3), Error);
 }
 
-TEST(plan_lightmap, only_static_opaque_or_masked_objects_take_part)
+TEST(plan_lightmap, all_but_unlit_objects_have_luxels)
 {
     Scene scene;
     for (int i = 0; i < 4; ++i) add_box(scene, add_material(scene, 0.5f), {{0, 0, 0}, {1, 1, 1}});
@@ -232,9 +232,9 @@ TEST(plan_lightmap, only_static_opaque_or_masked_objects_take_part)
     scene.materials[2].alpha_mode = AlphaMode::blend;
     scene.materials[3].is_unlit = true;
     const Lightmap lightmap = plan_lightmap(scene, 2.0, 100000);
-    EXPECT_EQ(lightmap.places[0].sides, 1);
-    for (int i = 1; i < 4; ++i) EXPECT_EQ(lightmap.places[i].sides, 0);
-    EXPECT_TRUE(blended_luxels(lightmap, scene, {.object = 1}).empty());
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(lightmap.places[i].sides, 1);
+    EXPECT_EQ(lightmap.places[3].sides, 0);
+    EXPECT_TRUE(blended_luxels(lightmap, scene, {.object = 3}).empty());
 }
 
 TEST(plan_lightmap, only_receivers_get_a_place_where_some_are_named)
@@ -393,6 +393,33 @@ TEST(baked_light, light_falls_through_what_a_mask_cuts_out)
         sources.lights = {sun_along({0.0, -1.0, 0.0})};
         const Lightmap lightmap = bake_lightmap(scene, sources, kQuick);
         EXPECT_NEAR(lux_at(lightmap, scene, {floor, 0, kMiddle, false}), alpha == 0 ? 10000.0 : 0.0, 10.0);
+    }
+}
+
+TEST(baked_light, what_moves_and_glass_have_the_light_of_their_place_and_take_none_away)
+{
+    for (const bool is_glass : {false, true}) {
+        Scene scene;
+        const int plain = add_material(scene, 0.0f), own = add_material(scene, 0.0f);
+        const ObjectId floor = add_quad(scene, plain, {-4, 0, -4}, {0, 0, 8}, {8, 0, 0});
+        add_quad(scene, plain, {-4, 3, -4}, {0, 0, 8}, {4, 0, 0});
+        scene.materials[plain].is_double_sided = true;
+        const ObjectId shaded = add_box(scene, own, {{-2.5, 1, -0.5}, {-1.5, 2, 0.5}});
+        const ObjectId sunny = add_box(scene, own, {{1.5, 1, -0.5}, {2.5, 2, 0.5}});
+        for (const ObjectId id : {shaded, sunny}) scene.nodes[scene.objects[id].node].is_animated = !is_glass;
+        if (is_glass) scene.materials[own].alpha_mode = AlphaMode::blend;
+        LightSources sources;
+        sources.lights = {sun_along({0.0, -1.0, 0.0})};
+        const Lightmap lightmap = bake_lightmap(scene, sources, kQuick);
+        const auto top_of = [&](ObjectId box) {
+            double lux = 0.0;
+            for (std::uint32_t t = 0; t < 12; ++t) lux = std::max(lux, lux_at(lightmap, scene, {box, t, kMiddle}));
+            return lux;
+        };
+        EXPECT_NEAR(top_of(sunny), 10000.0, 10.0);
+        EXPECT_EQ(top_of(shaded), 0.0);
+        // The middle of the floor's second triangle lies below the sunny box.
+        EXPECT_NEAR(lux_at(lightmap, scene, {floor, 1, {0.25f, 0.5f, 0.25f}}), 10000.0, 10.0);
     }
 }
 
