@@ -29,6 +29,7 @@ constexpr std::uint32_t kPlaceSeed = 1;
 struct WalkMeasureArguments {
     std::vector<std::filesystem::path> files;
     std::uint64_t inputs = measure::WalkFuzzOptions{}.inputs;
+    std::uint32_t threads = 0;
     std::filesystem::path json;
 };
 
@@ -91,7 +92,8 @@ JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArgum
         return step(state, input, body, world, seconds);
     };
     const auto begun = std::chrono::steady_clock::now();
-    const WalkCounts counts = fuzz_walk(oracle, walker, body, starts, {.inputs = arguments.inputs});
+    const WalkCounts counts =
+        fuzz_walk(oracle, walker, body, starts, {.inputs = arguments.inputs, .threads = arguments.threads});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const std::string name = file.filename().string();
     tell_faults(name, counts);
@@ -128,6 +130,7 @@ void add_measure_walk(CLI::App& measure)
     command->add_option("files", arguments->files, "Levels or models")->required();
     command->add_option("--inputs", arguments->inputs, "Random inputs in each scene, held for 1 to 4 frames")
         ->check(whole_number_in(1, 1'000'000'000));
+    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { measure_walk(*arguments); });
 }

@@ -19,6 +19,7 @@ struct WalkFuzzOptions {
     double patience_s = 30.0;   ///< Random inputs that lead nowhere for so long start the attempts to get away.
     double freedom_m = 0.5;     ///< Who gets so far away is not stuck.
     std::uint32_t flying = 8;   ///< Every so many walks also flies, and drops where it is.
+    std::uint32_t threads = 0;  ///< 0: all.
 };
 
 /// Something that a walker did and must not do.

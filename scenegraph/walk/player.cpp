@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <optional>
 
 namespace hw {
 namespace {
@@ -135,6 +136,26 @@ void free_from_solids(PlayerState& state, const PlayerBody& body, const Collisio
         return_to_safety(state);
 }
 
+/// A free place near the foot: where pushing leads out of what is solid, else the nearest of places around it.
+std::optional<glm::dvec3> free_place_near(const CollisionWorld& world, const glm::dvec3& foot, const Capsule& capsule)
+{
+    constexpr int kRings = 8, kSides = 12;
+    const double reach_m = 2.0 * capsule.height_m;
+    if (const auto place = push_out(world, foot, capsule, reach_m)) return place;
+    for (int ring = 1; ring <= kRings; ++ring) {
+        const double away_m = reach_m * ring / kRings;
+        for (const double rise : {0.0, 0.5, 1.0, -0.5, -1.0}) {
+            const double flat_m = away_m * std::sqrt(1.0 - rise * rise);
+            for (int side = 0; side < (flat_m > 0.0 ? kSides : 1); ++side) {
+                const double angle = side * glm::two_pi<double>() / kSides;
+                const glm::dvec3 way(flat_m * std::cos(angle), away_m * rise, flat_m * std::sin(angle));
+                if (!overlaps(world, foot + way, capsule)) return foot + way;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 /// Flying far away loses the scene: a wide box around it is the end of the world.
 void keep_in_world(PlayerState& state, const PlayerBody& body, const CollisionWorld& world)
 {
@@ -229,8 +250,7 @@ PlayerState placed_at(const Camera& camera, const PlayerBody& body, const Collis
     state.is_flying = true;
     if (body.is_solid) {
         const double reach = kStandingReach_m * scale_of(body);
-        const auto place = push_out(world, state.foot_world, body.gait.capsule, 2.0 * body.gait.capsule.height_m);
-        const glm::dvec3 foot = place.value_or(state.foot_world);
+        const glm::dvec3 foot = free_place_near(world, state.foot_world, body.gait.capsule).value_or(state.foot_world);
         const Motion standing = settle(world, body.gait, foot, reach);
         if (standing.is_carried && glm::distance(standing.foot_world, state.foot_world) <= reach) {
             state.eye_offset_m = state.foot_world.y - standing.foot_world.y;

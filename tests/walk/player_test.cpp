@@ -380,7 +380,7 @@ TEST(player, falling_out_of_the_world_leads_back_to_where_it_stood)
 {
     const auto world = Solids().quad({-3, 0, -3}, {3, 0, -3}, {3, 0, 3}, {-3, 0, 3}).world();
     auto state = standing_at({0, 0, 0}, world);
-    state = after(3.0, state, kForward, world);
+    state = after(2.0, state, kForward, world);
     EXPECT_EQ(state.put_back_count, 0u);
     state = after(20.0, state, {}, world);
     EXPECT_TRUE(state.is_carried);

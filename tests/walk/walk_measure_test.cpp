@@ -1,6 +1,5 @@
 // The measure of walking must tell what is wrong: broken walkers, each with a count that is known.
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include <cmath>
 
@@ -39,10 +38,11 @@ PlayerState at(const glm::dvec3& foot)
 }
 
 WalkCounts counts_of(const hw::Scene& scene, const hw::measure::Walker& walker, std::uint64_t inputs,
-                     const glm::dvec3& foot = {0.3, 0.002, 0.1})
+                     const glm::dvec3& foot = {0.3, 0.002, 0.1}, std::uint32_t threads = 0)
 {
     const PlayerState start = at(foot);
-    return fuzz_walk(WalkOracle(scene, {}), walker, kBody, {&start, 1}, {.inputs = inputs, .walks = 4, .flying = 0});
+    return fuzz_walk(WalkOracle(scene, {}), walker, kBody, {&start, 1},
+                     {.inputs = inputs, .walks = 4, .flying = 0, .threads = threads});
 }
 
 /// Walks by hw::step() in a world without the objects of these numbers.
@@ -213,9 +213,8 @@ TEST(walk_measure, counts_do_not_depend_on_threads)
     builder.box({-6, 0, -6}, {6, 3, 6}, true);
     const auto floor = builder.quad(level_square(5, 0.5));
     const auto walker = walker_without(builder.scene(), {floor});
-    WalkCounts alone;
-    tbb::task_arena(1).execute([&] { alone = counts_of(builder.scene(), walker, 1000); });
-    const WalkCounts all = counts_of(builder.scene(), walker, 1000);
+    const WalkCounts alone = counts_of(builder.scene(), walker, 1000, {0.3, 0.002, 0.1}, 1);
+    const WalkCounts all = counts_of(builder.scene(), walker, 1000, {0.3, 0.002, 0.1}, 3);
     EXPECT_EQ(alone.way_m, all.way_m);
     EXPECT_EQ(alone.cells, all.cells);
     EXPECT_EQ(alone.wrong(), all.wrong());
