@@ -17,7 +17,7 @@ namespace hw {
 
 /// Of the file's layout and of what build_visibility() makes of the same input: raised when either changes, so that old
 /// files are compiled anew.
-inline constexpr std::uint32_t kCompiledLevelVersion = 2;
+inline constexpr std::uint32_t kCompiledLevelVersion = 3;
 
 /// A tree deeper than this is refused; what compiles is far from it.
 inline constexpr int kMostTreeDepth = 4000;

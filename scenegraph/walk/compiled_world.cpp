@@ -60,6 +60,8 @@ CompiledLevel compile_world(const Level& level, const LevelWorld& world, const V
     compiled.key = compiled_level_key(world.scene, level, options);
     compiled.effort = options.effort;
     compiled.visibility = build_visibility(world.scene, level, world.chunks, told);
+    for (const Shortfall& shortfall : compiled.visibility.stats.shortfalls)
+        log_info("Too fine for the compiler's budget, more is drawn than need be: " + shortfall_text(shortfall));
     return compiled;
 }
 

@@ -56,6 +56,8 @@ class Merger {
         }
     }
 
+    std::vector<glm::dvec3> take_places() { return std::move(places_); }
+
     int owner_of(int cluster)
     {
         while (owner_[static_cast<std::size_t>(cluster)] != cluster)
@@ -125,6 +127,9 @@ class Merger {
     /// b becomes part of a.
     void join(int a, int b, const ClusterOptions& options)
     {
+        places_.push_back(boxes_[static_cast<std::size_t>(b)].is_empty()
+                              ? glm::dvec3(0.0)
+                              : boxes_[static_cast<std::size_t>(b)].centre());
         owner_[static_cast<std::size_t>(b)] = a;
         boxes_[static_cast<std::size_t>(a)].add(boxes_[static_cast<std::size_t>(b)]);
         for (const int other : neighbours_of(b)) {
@@ -142,6 +147,7 @@ class Merger {
     std::vector<Box> boxes_;
     std::vector<std::map<int, Border>> borders_;  ///< By the lower number, then by the higher.
     std::priority_queue<Candidate> queue_;
+    std::vector<glm::dvec3> places_;  ///< Of the merges.
 };
 
 /// Openings between two clusters in one plane.
@@ -186,8 +192,9 @@ void part_clusters(BspTree& tree, std::span<const LeafContact> contacts)
     }
 }
 
-void merge_open(BspTree& tree, std::span<const LeafContact> contacts, std::span<const int> group_of_leaf,
-                const ClusterOptions& options)
+/// Returns a place for each merge.
+std::vector<glm::dvec3> merge_open(BspTree& tree, std::span<const LeafContact> contacts,
+                                   std::span<const int> group_of_leaf, const ClusterOptions& options)
 {
     Merger merger(tree, contacts, group_of_leaf);
     std::vector<std::uint8_t> is_open(static_cast<std::size_t>(tree.cluster_count));
@@ -206,14 +213,16 @@ void merge_open(BspTree& tree, std::span<const LeafContact> contacts, std::span<
         tree.cluster_of_leaf[leaf] = tree.is_solid[leaf] ? 0 : number[static_cast<std::size_t>(owner)];
     }
     tree.cluster_count = count;
+    return merger.take_places();
 }
 
 }  // namespace
 
-void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options)
+std::vector<glm::dvec3> merge_clusters(BspTree& tree, std::span<const LeafContact> contacts,
+                                       const ClusterOptions& options)
 {
     part_clusters(tree, contacts);
-    merge_open(tree, contacts, {}, options);
+    return merge_open(tree, contacts, {}, options);
 }
 
 std::vector<int> split_into_cells(BspBuild& build, std::span<const LeafContact> contacts, const ClusterOptions& options)

@@ -18,8 +18,9 @@ struct ClusterOptions {
 /// Makes clusters of what is really one place, and renumbers them. Parts of a cluster that no opening joins are
 /// clusters of their own. Those without an open leaf become one, number 0 (it needs no row of its own). Of the others,
 /// pairs whose contact is mostly open are merged, smallest first; what stood between them no longer blocks: more is
-/// visible, never less.
-void merge_clusters(BspTree& tree, std::span<const LeafContact> contacts, const ClusterOptions& options);
+/// visible, never less. Returns where that was done, a place for each merge, in metres from the grid's origin.
+std::vector<glm::dvec3> merge_clusters(BspTree& tree, std::span<const LeafContact> contacts,
+                                       const ClusterOptions& options);
 
 /// Parts the merged clusters anew into cells, for which rows are made: BspBuild::part_of_leaf within each cluster,
 /// small ones of a cluster merged as the options say. Clusters of the tree are the cells then, and number 0 stays the

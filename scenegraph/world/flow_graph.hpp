@@ -33,6 +33,8 @@ struct FlowPortal {
     int to_leaf = 0;
     FlowPlane plane;
     Winding winding;
+    glm::dvec3 centre{0.0};  ///< Of a ball around the winding.
+    double radius = 0.0;
     LeafBits sees;          ///< At most these leaves: coarse first, then what the flow finds.
     LeafBits surely;        ///< At least these.
     bool is_coarse = true;  ///< The flow has not finished, if it has begun.

@@ -69,6 +69,7 @@ Rooms make_rooms(const Scene& scene, const Level& level)
     StructureOptions options;
     options.max_structure = kMostPolygons;
     options.max_details = kMostPolygons;
+    options.max_triangles = std::numeric_limits<std::size_t>::max();
     options.least_area_share = 0.0;
     options.margin_m = kMargin_m;
     Structure structure = choose_structure(scene, level, options);

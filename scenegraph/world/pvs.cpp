@@ -29,23 +29,34 @@ FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
         made.to_leaf = portal.to_leaf;
         made.plane = {portal.normal, portal.offset};
         made.winding = Winding(portal.winding);
+        for (int i = 0; i < made.winding.count; ++i) made.centre += made.winding[i] / double(made.winding.count);
+        for (int i = 0; i < made.winding.count; ++i)
+            made.radius = std::max(made.radius, 1.000001 * glm::distance(made.centre, made.winding[i]));
     }
     return flow;
 }
 
-bool reaches_front(const Winding& winding, const FlowPlane& plane, double least)
+/// The least and the largest distance of a winding's corners from a plane.
+struct Sides {
+    double least = 0.0, most = 0.0;
+};
+
+Sides sides_of(const Winding& winding, const FlowPlane& plane)
 {
-    for (int i = 0; i < winding.count; ++i) {
-        if (plane.distance(winding[i]) > least) return true;
+    Sides sides{plane.distance(winding[0]), plane.distance(winding[0])};
+    for (int i = 1; i < winding.count; ++i) {
+        const double distance = plane.distance(winding[i]);
+        sides.least = std::min(sides.least, distance);
+        sides.most = std::max(sides.most, distance);
     }
-    return false;
+    return sides;
 }
 
 /// A line can pass `first` and then `later` only if `later` reaches in front of `first` and that behind it.
 bool may_follow(const FlowPortal& first, const FlowPortal& later, double least)
 {
-    return reaches_front(later.winding, first.plane, least) &&
-           reaches_front(first.winding, {-later.plane.normal, -later.plane.offset}, least);
+    return sides_of(later.winding, first.plane).most > least &&
+           sides_of(first.winding, {-later.plane.normal, -later.plane.offset}).most > least;
 }
 
 LeafBits coarse_sight(const FlowGraph& graph, const FlowPortal& source)
@@ -74,6 +85,16 @@ struct Step {
     bool has_pass = false;
     int leaf = 0;
     LeafBits may_see;
+    std::vector<FlowPlane> gate;  ///< Separating planes of source and pass; what last hid a portal comes first.
+    bool has_gate = false;        ///< They have been made.
+};
+
+/// How a portal lies to the source portal, found out when it is first met.
+enum class Relation : std::uint8_t {
+    unknown,
+    never,  ///< No line passes both.
+    clear,  ///< All of it is in front, and all of the source is behind it: neither plane cuts the other.
+    cut,
 };
 
 /// How far a flow goes. A branch past one of these is not followed: all that may lie behind it counts as seen.
@@ -91,7 +112,8 @@ class Flow {
           limits_(limits),
           words_(source.sees.size()),
           sees_(source.surely),
-          is_on_way_(graph.portals.size())
+          is_on_way_(graph.portals.size()),
+          relations_(graph.portals.size())
     {
     }
 
@@ -128,23 +150,76 @@ class Flow {
         return fresh != 0;
     }
 
-    bool clip_through(const Step& here, const FlowPortal& portal, Step& next)
+    Relation relation_to(std::size_t index)
+    {
+        Relation& relation = relations_[index];
+        if (relation != Relation::unknown) return relation;
+        const FlowPortal& portal = graph_.portals[index];
+        const FlowPlane behind{-portal.plane.normal, -portal.plane.offset};
+        const Sides later = sides_of(portal.winding, source_.plane), first = sides_of(source_.winding, behind);
+        const ClipTolerance& tolerance = graph_.tolerance;
+        if (later.most < tolerance.least || first.most < tolerance.least)
+            relation = Relation::never;
+        else
+            relation = std::min(later.least, first.least) >= -tolerance.slack ? Relation::clear : Relation::cut;
+        return relation;
+    }
+
+    void make_gate(Step& here)
+    {
+        if (here.has_gate) return;
+        cost_ += 4;
+        here.has_gate = true;
+        here.gate.clear();
+        const FlowPlane pass_back{-here.pass_plane.normal, -here.pass_plane.offset};
+        add_separators({here.source, source_.plane, here.pass, false, false}, here.gate);
+        add_separators({here.pass, pass_back, here.source, true, true}, here.gate);
+    }
+
+    /// Clips to the gate of a step. The portal's ball is asked first: most portals are wholly behind some plane.
+    bool clip_to_gate(Step& here, const FlowPortal& portal, Winding& pass)
+    {
+        const ClipTolerance& tolerance = graph_.tolerance;
+        const auto hidden = [&](std::size_t plane) {
+            std::swap(here.gate[plane], here.gate[0]);
+            return false;
+        };
+        for (std::size_t i = 0; i < here.gate.size(); ++i) {
+            if (here.gate[i].distance(portal.centre) + portal.radius < tolerance.least) return hidden(i);
+        }
+        for (std::size_t i = 0; i < here.gate.size(); ++i) {
+            if (!clip(pass, here.gate[i], tolerance)) return hidden(i);
+        }
+        return true;
+    }
+
+    /// What of the pass is seen from what is left of the source.
+    bool clip_from_both(const Step& here, Step& next)
+    {
+        cost_ += 4;
+        const ClipTolerance& tolerance = graph_.tolerance;
+        const FlowPlane pass_back{-here.pass_plane.normal, -here.pass_plane.offset};
+        return clip_to_separators(next.pass, {next.source, source_.plane, here.pass, false, false}, tolerance) &&
+               clip_to_separators(next.pass, {here.pass, pass_back, next.source, true, true}, tolerance);
+    }
+
+    bool clip_through(Step& here, const FlowPortal& portal, Relation relation, Step& next)
     {
         const ClipTolerance& tolerance = graph_.tolerance;
         cost_ += 2;
+        if (here.has_pass) make_gate(here);
         next.pass = portal.winding;
-        if (!clip(next.pass, source_.plane, tolerance)) return false;
+        if (here.has_pass && !clip_to_gate(here, portal, next.pass)) return false;
         next.source = here.source;
         const FlowPlane behind{-portal.plane.normal, -portal.plane.offset};
-        if (!clip(next.source, behind, tolerance)) return false;
+        const bool is_cut = relation == Relation::cut;
+        if (is_cut && !(clip(next.pass, source_.plane, tolerance) && clip(next.source, behind, tolerance)))
+            return false;
         if (!here.has_pass) return true;
         if (!clip(next.pass, here.pass_plane, tolerance)) return false;
-        cost_ += 4;
-        const FlowPlane pass_back{-here.pass_plane.normal, -here.pass_plane.offset};
-        if (!clip_to_separators(next.pass, {next.source, source_.plane, here.pass, false, false}, tolerance))
-            return false;
-        if (!clip_to_separators(next.pass, {here.pass, pass_back, next.source, true, true}, tolerance)) return false;
-        // The same from the far end: what of the source can be reached from what is left of the portal.
+        // Less of the source has tighter planes.
+        if (is_cut && !clip_from_both(here, next)) return false;
+        // From the far end: what of the source can be reached from what is left of the portal.
         cost_ += 4;
         if (!clip_to_separators(next.source, {next.pass, behind, here.pass, true, false}, tolerance)) return false;
         return clip_to_separators(next.source, {here.pass, here.pass_plane, next.pass, false, true}, tolerance);
@@ -163,9 +238,11 @@ class Flow {
             const FlowPortal& portal = graph_.portals[index];
             // A line meets a plane once. It may meet a leaf again: merged clusters are not convex.
             if (!has_bit(here.may_see, portal.to_leaf) || is_on_way_[index]) continue;
+            const Relation relation = relation_to(index);
+            if (relation == Relation::never) continue;
             Step& next = step(depth + 1);
             ++cost_;
-            if (!narrow(here, portal, next) || !clip_through(here, portal, next)) continue;
+            if (!narrow(here, portal, next) || !clip_through(here, portal, relation, next)) continue;
             set_bit(sees_, portal.to_leaf);
             if (is_past_limits(depth)) {
                 is_coarse_ = true;
@@ -174,6 +251,7 @@ class Flow {
             }
             next.pass_plane = portal.plane;
             next.has_pass = true;
+            next.has_gate = false;
             next.leaf = portal.to_leaf;
             is_on_way_[index] = 1;
             visit(depth + 1);
@@ -189,6 +267,7 @@ class Flow {
     std::size_t words_;
     LeafBits sees_;
     std::vector<char> is_on_way_;  ///< By portal.
+    std::vector<Relation> relations_;
     std::vector<std::unique_ptr<Step>> steps_;
 };
 
@@ -239,9 +318,9 @@ std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits, const std::
     return cost;
 }
 
-/// Rounds of rising depth: what a shallow round rules out for all portals makes the next cheaper. Returns how many
-/// portals stay coarse.
-int flow_all(FlowGraph& graph, const PvsOptions& options)
+/// Rounds of rising depth: what a shallow round rules out for all portals makes the next cheaper. Returns the portals
+/// that stay coarse.
+std::vector<int> flow_all(FlowGraph& graph, const PvsOptions& options)
 {
     constexpr double kStepsPerSecond = 4e6;  // roughly; a count, not a clock, so that rows stay the same
     constexpr std::uint64_t kLeastSteps = 500;
@@ -253,13 +332,13 @@ int flow_all(FlowGraph& graph, const PvsOptions& options)
         has_limit ? std::vector<std::size_t>{2, 4, 8, unlimited} : std::vector<std::size_t>{unlimited};
     for (const std::size_t depth : depths) {
         const std::size_t coarse = coarse_portals(graph).size();
-        if (coarse == 0) return 0;
+        if (coarse == 0) return {};
         const double share = 4.0 * std::max(0.0, left) / static_cast<double>(coarse);
         const std::uint64_t steps = has_limit ? std::max(kLeastSteps, static_cast<std::uint64_t>(share)) : 0;
         left -= static_cast<double>(flow_round(graph, {depth, steps}, options.progress));
         if (has_limit && left < 0.0) break;
     }
-    return static_cast<int>(coarse_portals(graph).size());
+    return coarse_portals(graph);
 }
 
 }  // namespace

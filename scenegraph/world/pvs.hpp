@@ -49,6 +49,10 @@ class LeafRows {
     {
         row(leaf)[static_cast<std::size_t>(column) / 64] |= std::uint64_t{1} << (column % 64);
     }
+    void hide(int leaf, int column)
+    {
+        row(leaf)[static_cast<std::size_t>(column) / 64] &= ~(std::uint64_t{1} << (column % 64));
+    }
 
  private:
     int leaf_count_ = 0;
@@ -71,8 +75,8 @@ void visit_bits(std::span<const std::uint64_t> words, const Visit& visit)
 /// How tight the rows are. All are conservative, each is a subset of the one before.
 enum class PvsEffort : std::uint8_t {
     fast,   ///< Portals that face each other, flooded: no separating planes.
-    full,   ///< Portal flow with separating planes between the first and the last portal.
-    exact,  ///< Also clips the first portal as seen from the last ones, and has no budget.
+    full,   ///< Portal flow with separating planes, from the first portal and back from the last, within a budget.
+    exact,  ///< The same without a budget.
 };
 
 struct PvsOptions {
@@ -85,8 +89,8 @@ struct PvsOptions {
 };
 
 struct PvsResult {
-    LeafRows rows;           ///< Leaves by leaves; every leaf sees itself.
-    int coarse_portals = 0;  ///< Those that ran out of time.
+    LeafRows rows;                    ///< Leaves by leaves; every leaf sees itself.
+    std::vector<int> coarse_portals;  ///< Those that ran out of time.
 };
 
 /// Which leaves can be seen from somewhere in each leaf through the portals. Conservative.

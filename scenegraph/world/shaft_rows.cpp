@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 #include <numeric>
+#include <optional>
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -156,8 +158,9 @@ std::array<Part, 2> halves(const BoxTree& tree, const Part& part)
 /// The proof that a slot is hidden from a cell.
 class Proof {
  public:
-    Proof(const SightSlices& slices, const BoxTree& eyes, const Target& target, std::int64_t most_shafts)
-        : slices_(slices), eyes_(eyes), target_(target), left_(most_shafts)
+    /// `last` is a slice that is tried first, and becomes the one that hid something last.
+    Proof(const SightSlices& slices, const BoxTree& eyes, const Target& target, std::int64_t most_shafts, int& last)
+        : slices_(slices), eyes_(eyes), target_(target), left_(most_shafts), last_(last)
     {
     }
 
@@ -192,12 +195,15 @@ class Proof {
     {
         constexpr std::size_t kLines = 24;
         const std::size_t leaves = eyes_.order.size(), triangles = target_.triangles.size();
+        int last = last_;
         for (std::size_t line = 0; line < kLines; ++line) {
             const Box& box = eyes_.leaf_boxes[(2 * line + 1) * leaves / (2 * kLines)];
             const glm::dvec3 share(place(2, line), place(3, line), place(5, line));
             const TargetTriangle& triangle = target_.triangles[(line * 7 % kLines * 2 + 1) * triangles / (2 * kLines)];
             const glm::dvec3 eye = box.min + box.size() * share;
-            if (triangle.may_face({eye, eye}, target_.slack) && slices_.cut(eye, triangle.centre) < 0) return true;
+            if (!triangle.may_face({eye, eye}, target_.slack)) continue;
+            last = slices_.cut(eye, triangle.centre, last);
+            if (last < 0) return true;
         }
         return false;
     }
@@ -238,7 +244,7 @@ class Proof {
     const BoxTree& eyes_;
     const Target& target_;
     std::int64_t left_;
-    int last_ = -1;
+    int& last_;
 };
 
 std::vector<std::vector<Box>> boxes_of_cells(const BspTree& tree, std::span<const Box> leaf_boxes)
@@ -251,6 +257,12 @@ std::vector<std::vector<Box>> boxes_of_cells(const BspTree& tree, std::span<cons
     return result;
 }
 
+/// What of it is spent.
+struct ShaftBudget {
+    std::int64_t most_shafts = 0;  ///< For each pair of a cell and a slot.
+    int stride = 1;                ///< Every so manieth cell is tried.
+};
+
 std::int64_t pair_count(const LeafRows& rows)
 {
     std::int64_t count = 0;
@@ -260,36 +272,55 @@ std::int64_t pair_count(const LeafRows& rows)
     return count;
 }
 
+ShaftBudget budget_for(const ShaftOptions& options, const LeafRows& slot_rows)
+{
+    const std::int64_t pairs = std::max<std::int64_t>(1, pair_count(slot_rows));
+    return {std::min(options.most_shafts, options.most_shafts_in_all / pairs + 1),
+            static_cast<int>(pairs / options.most_pairs) + 1};
+}
+
+/// The cells, every `stride`th, from which a slot is hidden of those whose rows show it.
+std::vector<int> cells_hidden_from(const SlotPlaces& places, const SightSlices& slices,
+                                   std::span<const BoxTree> eyes_of_cell, const LeafRows& slot_rows, std::uint32_t slot,
+                                   const ShaftBudget& budget)
+{
+    std::vector<int> hidden;
+    const Object& object = places.scene.objects[places.slots[slot].object];
+    if (places.scene.nodes[static_cast<std::size_t>(object.node)].is_animated) return hidden;
+    std::optional<Target> target;
+    int last = -1;
+    for (int cell = 0; cell < slot_rows.leaf_count(); cell += budget.stride) {
+        const BoxTree& eyes = eyes_of_cell[static_cast<std::size_t>(cell)];
+        if (eyes.nodes.empty() || !slot_rows.sees(cell, static_cast<int>(slot))) continue;
+        if (!target) target = make_target(places, slot);
+        if (target->triangles.empty()) break;
+        if (Proof(slices, eyes, *target, budget.most_shafts, last).holds()) hidden.push_back(cell);
+    }
+    return hidden;
+}
+
 }  // namespace
 
 void hide_behind_slices(const SlotPlaces& places, const SightSlices& slices, std::span<const Box> leaf_boxes,
                         const ShaftOptions& options, LeafRows& slot_rows)
 {
-    const std::int64_t pairs = std::max<std::int64_t>(1, pair_count(slot_rows));
-    const std::int64_t most_shafts = std::min(options.most_shafts, options.most_shafts_in_all / pairs + 1);
-    const std::size_t stride = static_cast<std::size_t>(pairs / options.most_pairs) + 1;
-    std::vector<Target> targets(places.slots.size());
-    const std::vector<std::vector<Box>> cells = boxes_of_cells(places.tree, leaf_boxes);
+    const ShaftBudget budget = budget_for(options, slot_rows);
+    std::vector<BoxTree> eyes_of_cell;
+    for (const std::vector<Box>& boxes : boxes_of_cells(places.tree, leaf_boxes)) eyes_of_cell.emplace_back(boxes);
+    // Slot by slot: the triangles of only a few slots are held at a time, however many the scene draws.
+    std::vector<std::vector<int>> hidden(places.slots.size());
+    std::atomic<std::size_t> done{0};
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, targets.size(), [&](std::size_t slot) {
-            const Object& object = places.scene.objects[places.slots[slot].object];
-            if (!places.scene.nodes[static_cast<std::size_t>(object.node)].is_animated)
-                targets[slot] = make_target(places, static_cast<std::uint32_t>(slot));
-        });
-        tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t cell) {
-            if (cell % stride != 0) return;
-            const BoxTree eyes(cells[cell]);
-            if (eyes.nodes.empty()) return;
-            const std::span<std::uint64_t> row = slot_rows.row(static_cast<int>(cell));
-            visit_bits(row, [&](int slot) {
-                const Target& target = targets[static_cast<std::size_t>(slot)];
-                if (target.triangles.empty()) return;
-                if (Proof(slices, eyes, target, most_shafts).holds())
-                    row[static_cast<std::size_t>(slot) / 64] &= ~(std::uint64_t{1} << (slot % 64));
-            });
+        tbb::parallel_for(std::size_t{0}, hidden.size(), [&](std::size_t slot) {
+            hidden[slot] =
+                cells_hidden_from(places, slices, eyes_of_cell, slot_rows, static_cast<std::uint32_t>(slot), budget);
+            if (options.progress) options.progress(static_cast<double>(++done) / static_cast<double>(hidden.size()));
         });
     });
+    for (std::size_t slot = 0; slot < hidden.size(); ++slot) {
+        for (const int cell : hidden[slot]) slot_rows.hide(cell, static_cast<int>(slot));
+    }
 }
 
 }  // namespace hw

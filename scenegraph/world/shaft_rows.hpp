@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "core/box.hpp"
@@ -15,6 +16,7 @@ struct ShaftOptions {
         600'000;                        ///< Shared out evenly: a count, not a clock, so that rows stay the same.
     std::int64_t most_pairs = 250'000;  ///< Past this only some of the cells are tried.
     int threads = 0;                    ///< 0: as many as the machine has.
+    std::function<void(double share)> progress;  ///< Told from any thread how much is done, 0 to 1; may be empty.
 };
 
 /// Takes out of the rows the slots that no sight line from a cell reaches. Cells and slots are halved until every pair

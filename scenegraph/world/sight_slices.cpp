@@ -258,32 +258,56 @@ std::size_t SightSlices::between(const Box& eyes, const Box& target, std::span<i
     return count;
 }
 
+bool SightSlices::parts(std::size_t slice, const Box& eyes, const Box& target) const
+{
+    const FlowPlane& plane = slices_[slice].plane;
+    const double near = plane.distance(eyes.centre()), far = plane.distance(target.centre());
+    const glm::dvec3 reach = glm::abs(plane.normal);
+    return (near > 0.0) != (far > 0.0) && std::abs(near) - 0.5 * glm::dot(reach, eyes.size()) >= -kEyeSlack_m &&
+           std::abs(far) - 0.5 * glm::dot(reach, target.size()) >= behind_m_;
+}
+
+bool SightSlices::hides(std::size_t number, const Box& eyes, const Box& target) const
+{
+    const SightSlice& slice = slices_[number];
+    const glm::dvec3 from = eyes.centre(), to = target.centre();
+    const double near = slice.plane.distance(from), far = slice.plane.distance(to);
+    return !is_open_at(slice, near, from + (to - from) * (near / (near - far))) && is_closed(slice, near, eyes, target);
+}
+
+bool SightSlices::cuts(std::size_t number, const glm::dvec3& from, const glm::dvec3& to) const
+{
+    const SightSlice& slice = slices_[number];
+    const double near = slice.plane.distance(from), far = slice.plane.distance(to);
+    return !is_open_at(slice, near, from + (to - from) * (near / (near - far)));
+}
+
 bool SightSlices::hides(const Box& eyes, const Box& target, int& last) const
 {
-    std::array<int, kMostSlices + 1> found;
+    const auto asks_last = [&](const std::size_t slice) {
+        return parts(slice, eyes, target) && hides(slice, eyes, target);
+    };
+    if (last >= 0 && asks_last(static_cast<std::size_t>(last))) return true;
+    std::array<int, kMostSlices + 1> found;  // NOLINT: filled below `count`
     const std::size_t count = between(eyes, target, found);
-    const auto first = std::find(found.begin(), found.begin() + count, last);
-    if (first != found.begin() + count) std::swap(*first, found[0]);
-    const glm::dvec3 from = eyes.centre(), to = target.centre();
     for (std::size_t i = 0; i < count; ++i) {
-        const SightSlice& slice = slices_[static_cast<std::size_t>(found[i])];
-        const double near = slice.plane.distance(from), far = slice.plane.distance(to);
-        if (is_open_at(slice, near, from + (to - from) * (near / (near - far)))) continue;
-        if (!is_closed(slice, near, eyes, target)) continue;
+        if (found[i] == last || !hides(static_cast<std::size_t>(found[i]), eyes, target)) continue;
         last = found[i];
         return true;
     }
     return false;
 }
 
-int SightSlices::cut(const glm::dvec3& from, const glm::dvec3& to) const
+int SightSlices::cut(const glm::dvec3& from, const glm::dvec3& to, int last) const
 {
-    std::array<int, kMostSlices + 1> found;
-    const std::size_t count = between({from, from}, {to, to}, found);
+    const Box eye{from, from}, target{to, to};
+    if (last >= 0 && parts(static_cast<std::size_t>(last), eye, target) &&
+        cuts(static_cast<std::size_t>(last), from, to))
+        return last;
+    std::array<int, kMostSlices + 1> found;  // NOLINT: filled below `count`
+    const std::size_t count = between(eye, target, found);
     for (std::size_t i = 0; i < count; ++i) {
-        const SightSlice& slice = slices_[static_cast<std::size_t>(found[i])];
-        const double near = slice.plane.distance(from), far = slice.plane.distance(to);
-        if (!is_open_at(slice, near, from + (to - from) * (near / (near - far)))) return found[i];
+        if (cuts(static_cast<std::size_t>(found[i]), from, to)) return found[i];
     }
     return -1;
 }

@@ -36,8 +36,8 @@ class SightSlices {
     /// number of the slice that hid something last, or -1: it is tried first.
     bool hides(const Box& eyes, const Box& target, int& last) const;
 
-    /// A slice that cuts the line from one point to the other; -1: none.
-    int cut(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// A slice that cuts the line from one point to the other; -1: none. `last` is one that may be likely, or -1.
+    int cut(const glm::dvec3& from, const glm::dvec3& to, int last = -1) const;
 
     std::span<const SightSlice> slices() const { return slices_; }
 
@@ -46,6 +46,10 @@ class SightSlices {
 
     /// The slices that part two boxes; one more place in `found` than there are slices.
     std::size_t between(const Box& eyes, const Box& target, std::span<int> found) const;
+    bool parts(std::size_t slice, const Box& eyes, const Box& target) const;
+    /// Of a slice that parts the two.
+    bool hides(std::size_t slice, const Box& eyes, const Box& target) const;
+    bool cuts(std::size_t slice, const glm::dvec3& from, const glm::dvec3& to) const;
 
     std::vector<SightSlice> slices_;
     std::array<std::vector<double>, 3> normals_;  ///< Of all slices, by axis: a quick search for those between.

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/glob.hpp"
 #include "world/coplanar.hpp"
+#include "world/large_planes.hpp"
 
 namespace hw {
 namespace {
@@ -133,6 +134,9 @@ void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, con
         polygon.blocks_from_back = planes[i].is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
         const bool may_split = level.structure ? flat.is_named && plane_area(i) >= least_named : plane_area(i) >= least;
         polygon.is_detail = !may_split || structure.structure_count >= options.max_structure;
+        if (polygon.is_detail && may_split)
+            structure.demoted_world.push_back(structure.grid.origin_world +
+                                              polygon.polygon.corners[0] * structure.grid.step_m);
         structure.structure_count += !polygon.is_detail;
         structure.area_m2 += area(polygon.polygon) * square_m;
         structure.polygons.push_back(std::move(polygon));
@@ -166,6 +170,7 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
         if (scene.materials[static_cast<std::size_t>(object.material)].alpha_mode != AlphaMode::opaque) continue;
         add_object(scene, id, structure.grid, is_named_node[node] != 0, triangles);
     }
+    keep_in_large_planes(triangles, options.max_triangles, structure.grid.step_m);
     std::vector<FlatPolygon> polygons = merge_coplanar(triangles, 1e-5 / structure.grid.step_m);
     choose_polygons(polygons, level, options, structure);
     return structure;

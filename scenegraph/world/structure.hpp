@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "world/bsp.hpp"
@@ -14,8 +16,9 @@ namespace hw {
 struct StructureOptions {
     int max_structure = 6000;
     int max_details = 6000;
-    double least_area_share = 1.5e-2;  ///< All that lies in one plane, of the largest side of the scene's box.
-    double margin_m = 0.0;             ///< By which the box is larger than the scene, so that outer walls count, too.
+    std::size_t max_triangles = 300'000;  ///< Of more, those in small planes are passed over: see large_planes.hpp.
+    double least_area_share = 1.5e-2;     ///< All that lies in one plane, of the largest side of the scene's box.
+    double margin_m = 0.0;  ///< By which the box is larger than the scene, so that outer walls count, too.
 };
 
 /// The polygons that partition space and block sight, snapped to the grid.
@@ -25,6 +28,7 @@ struct Structure {
     std::vector<BlockingPolygon> polygons;  ///< By the area in their plane, largest first: structure, then details.
     int structure_count = 0;
     int left_out = 0;                       ///< Polygons over the budget: they do not block.
+    std::vector<glm::dvec3> demoted_world;  ///< Where polygons in large planes are details, for want of budget.
     std::array<std::int64_t, 3> box_min{};  ///< The scene's box; what lies in its faces is left out.
     std::array<std::int64_t, 3> box_max{};
     double scene_side_m2 = 0.0;  ///< Area of the largest side of the scene's box.

@@ -1,5 +1,7 @@
 #include "world/visibility.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <glm/common.hpp>
@@ -79,6 +81,45 @@ double longest_cell_m(const Scene& scene, const VisibilityOptions& options)
     return kPartFactor * std::cbrt(sides.x * sides.y * sides.z / options.max_cells);
 }
 
+void add_shortfall(std::span<const glm::dvec3> places_world, std::string what, const Box& bounds_world,
+                   VisibilityStats& stats)
+{
+    if (!places_world.empty()) stats.shortfalls.push_back({std::move(what), densest_part(places_world, bounds_world)});
+}
+
+void note_demoted(const Structure& structure, const VisibilityOptions& options, const Box& bounds_world,
+                  VisibilityStats& stats)
+{
+    const std::size_t demoted = structure.demoted_world.size();
+    add_shortfall(
+        structure.demoted_world,
+        fmt::format("{} of {} polygons in large planes part no clusters, the budget is {}", demoted,
+                    demoted + static_cast<std::size_t>(structure.structure_count), options.max_structure_polygons),
+        bounds_world, stats);
+}
+
+/// `places` are those of merge_clusters().
+void note_merged(std::vector<glm::dvec3> places, const BspTree& tree, const VisibilityOptions& options,
+                 VisibilityStats& stats)
+{
+    for (glm::dvec3& place : places) place += tree.grid.origin_world;
+    add_shortfall(places,
+                  fmt::format("{} of {} clusters were merged with others, the budget is {}", places.size(),
+                              places.size() + static_cast<std::size_t>(tree.cluster_count), options.max_clusters),
+                  tree.bounds_world, stats);
+}
+
+void note_coarse(const PvsResult& pvs, const PortalGraph& graph, const BspTree& tree, VisibilityStats& stats)
+{
+    std::vector<glm::dvec3> places;
+    for (const int portal : pvs.coarse_portals)
+        places.push_back(tree.grid.origin_world + graph.portals[static_cast<std::size_t>(portal)].winding[0]);
+    add_shortfall(
+        places,
+        fmt::format("{} of {} openings keep a coarse answer, for want of time", places.size(), graph.portals.size()),
+        tree.bounds_world, stats);
+}
+
 BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOptions& options, VisibilityStats& stats)
 {
     StructureOptions structure_options;
@@ -88,6 +129,7 @@ BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOpti
     Structure structure = choose_structure(scene, level, structure_options);
     stats.structure_polygons = structure.structure_count;
     stats.detail_polygons = static_cast<int>(structure.polygons.size()) - structure.structure_count;
+    note_demoted(structure, options, scene.bounds_world, stats);
     return build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons), structure.box_min,
                      structure.box_max, longest_cell_m(scene, options));
 }
@@ -133,7 +175,8 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     tell(0.1);
     const std::vector<LeafContact> contacts = leaf_contacts(build);
     tell(0.2);
-    merge_clusters(build.tree, contacts, {.most = options.max_clusters});
+    note_merged(merge_clusters(build.tree, contacts, {.most = options.max_clusters}), build.tree, options,
+                visibility.stats);
     const PortalGraph graph = cluster_portals(build, contacts);
     const std::vector<Box> boxes_of_leaves = leaf_boxes(build.tree, contacts);
     const SightSlices slices(build, contacts, boxes_of_leaves, {.threads = options.threads});
@@ -152,7 +195,9 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     visibility.cluster_boxes = cluster_boxes(visibility.tree, boxes_of_leaves);
     const SlotPlaces places{scene, chunks_of_mesh, visibility.slots, visibility.tree, visibility.cluster_boxes};
     visibility.slot_rows = slots_seen(places, visibility.rows);
-    hide_behind_slices(places, slices, boxes_of_leaves, {.threads = options.threads}, visibility.slot_rows);
+    ShaftOptions shaft_options{.threads = options.threads};
+    if (options.progress) shaft_options.progress = [&](double share) { tell(0.75 + 0.25 * share); };
+    hide_behind_slices(places, slices, boxes_of_leaves, shaft_options, visibility.slot_rows);
     tell(1.0);
 
     VisibilityStats& stats = visibility.stats;
@@ -161,7 +206,8 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     stats.solid_leaves = static_cast<int>(std::count(is_solid.begin(), is_solid.end(), std::uint8_t{1}));
     stats.clusters = visibility.tree.cluster_count;
     stats.portals = static_cast<int>(graph.portals.size());
-    stats.coarse_portals = pvs.coarse_portals;
+    stats.coarse_portals = static_cast<int>(pvs.coarse_portals.size());
+    note_coarse(pvs, graph, visibility.tree, stats);
     stats.average_visible_share =
         average_visible_share(scene, chunks_of_mesh, visibility, open_cells(graph, cluster_of_cell));
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -11,6 +11,7 @@
 #include "world/level.hpp"
 #include "world/pvs.hpp"
 #include "world/scene.hpp"
+#include "world/shortfall.hpp"
 #include "world/slot_rows.hpp"
 
 namespace hw {
@@ -18,11 +19,11 @@ namespace hw {
 /// How the potentially visible set is made. Every choice is conservative.
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
-    int max_structure_polygons = 6000;  ///< The largest planes win; what does not is detail.
-    int max_detail_polygons = 30000;    ///< Details past this do not block.
-    double least_area_share = 1.5e-2;   ///< Least area in one plane, of the largest side of the scene's box.
-    int max_clusters = 1000;            ///< Past this small ones that are open to each other are merged.
-    int max_cells = 300;                ///< Parts of the merged clusters, for which rows are made.
+    int max_structure_polygons = 30000;  ///< The largest planes win; what does not is detail.
+    int max_detail_polygons = 30000;     ///< Details past this do not block.
+    double least_area_share = 1.5e-2;    ///< Least area in one plane, of the largest side of the scene's box.
+    int max_clusters = 4000;             ///< Past this small ones that are open to each other are merged.
+    int max_cells = 300;                 ///< Parts of the merged clusters, for which rows are made.
     double flow_seconds = 10.0;  ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
     int threads = 0;             ///< 0: as many as the machine has.
     std::function<void(double share)> progress;  ///< Told from any thread how much is done, 0 to 1; may be empty.
@@ -38,6 +39,7 @@ struct VisibilityStats {
     int coarse_portals = 0;              ///< Portals whose flow ran out of budget and kept the coarse answer.
     double average_visible_share = 1.0;  ///< Triangles in a row over all, mean over the clusters with an opening.
     double seconds = 0.0;
+    std::vector<Shortfall> shortfalls;  ///< Of what was compiled just now; a compiled level does not keep them.
 };
 
 /// What can be seen from where: a BSP over the structure, and for each of its clusters the chunks to draw.

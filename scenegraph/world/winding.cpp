@@ -71,6 +71,23 @@ bool separator(const Separation& between, const std::array<double, Winding::kMos
     return true;
 }
 
+/// Stops where `use` returns false, and returns that.
+template <typename Use>
+bool for_each_separator(const Separation& between, const Use& use)
+{
+    std::array<double, Winding::kMostCorners> alphas;  // NOLINT: filled below
+    for (int k = 0; k < between.pass.count; ++k) {
+        alphas[static_cast<std::size_t>(k)] = between.source_plane.distance(between.pass[k]);
+    }
+    for (int i = 0; i < between.source.count; ++i) {
+        FlowPlane plane;
+        if (!separator(between, alphas, i, plane)) continue;
+        if (between.keeps_source_side) plane = {-plane.normal, -plane.offset};
+        if (!use(plane)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 Winding::Winding(std::span<const glm::dvec3> corners)
@@ -111,17 +128,15 @@ bool clip(Winding& winding, const FlowPlane& plane, const ClipTolerance& toleran
 
 bool clip_to_separators(Winding& target, const Separation& between, const ClipTolerance& tolerance)
 {
-    std::array<double, Winding::kMostCorners> alphas;  // NOLINT: filled below
-    for (int k = 0; k < between.pass.count; ++k) {
-        alphas[static_cast<std::size_t>(k)] = between.source_plane.distance(between.pass[k]);
-    }
-    for (int i = 0; i < between.source.count; ++i) {
-        FlowPlane plane;
-        if (!separator(between, alphas, i, plane)) continue;
-        if (between.keeps_source_side) plane = {-plane.normal, -plane.offset};
-        if (!clip(target, plane, tolerance)) return false;
-    }
-    return true;
+    return for_each_separator(between, [&](const FlowPlane& plane) { return clip(target, plane, tolerance); });
+}
+
+void add_separators(const Separation& between, std::vector<FlowPlane>& planes)
+{
+    for_each_separator(between, [&](const FlowPlane& plane) {
+        planes.push_back(plane);
+        return true;
+    });
 }
 
 }  // namespace hw

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 namespace hw {
 
@@ -55,5 +56,8 @@ struct Separation {
     bool keeps_source_side = false;
 };
 bool clip_to_separators(Winding& target, const Separation& between, const ClipTolerance& tolerance);
+
+/// Appends the planes that clip_to_separators() clips by: what is in front of all is left.
+void add_separators(const Separation& between, std::vector<FlowPlane>& planes);
 
 }  // namespace hw

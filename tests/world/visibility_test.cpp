@@ -252,5 +252,46 @@ TEST(visibility, a_tight_budget_shows_more_and_never_less)
     }
 }
 
+/// Eight rooms in a row that see each other through doorways.
+Scene& rooms_in_a_row(SceneBuilder& builder)
+{
+    builder.box({0, 0, -4}, {80, 4, 4}, true);
+    for (int wall = 1; wall < 8; ++wall) {
+        const double x = 10.0 * wall;
+        builder.box({x - 0.2, 0, -4}, {x + 0.2, 4, wall % 2 ? -1.0 : 0.0}, false);
+        builder.box({x - 0.2, 0, wall % 2 ? 0.0 : 1.0}, {x + 0.2, 4, 4}, false);
+    }
+    return builder.scene();
+}
+
+TEST(visibility, a_level_that_is_too_fine_for_a_budget_is_told_with_counts_and_place)
+{
+    SceneBuilder builder;
+    Scene& scene = rooms_in_a_row(builder);
+    EXPECT_TRUE(compile(scene).visibility.stats.shortfalls.empty());
+    VisibilityOptions few;
+    few.max_clusters = 3;
+    const Compiled merged = compile(scene, few);
+    ASSERT_EQ(merged.visibility.stats.shortfalls.size(), 1u);
+    const Shortfall& shortfall = merged.visibility.stats.shortfalls.front();
+    EXPECT_NE(shortfall.what.find("the budget is 3"), std::string::npos) << shortfall.what;
+    EXPECT_LE(shortfall.where_world.max.x - shortfall.where_world.min.x, 10.1) << "an eighth of the length";
+    VisibilityOptions plain;
+    plain.max_structure_polygons = 4;
+    const Compiled demoted = compile(scene, plain);
+    ASSERT_FALSE(demoted.visibility.stats.shortfalls.empty());
+    EXPECT_NE(demoted.visibility.stats.shortfalls.front().what.find("the budget is 4"), std::string::npos);
+}
+
+TEST(visibility, places_are_told_where_most_of_them_are)
+{
+    const Box bounds{{0, 0, 0}, {8, 8, 8}};
+    const std::vector<glm::dvec3> places{{0.5, 0.5, 0.5}, {6.2, 3.1, 7.7}, {6.9, 3.8, 7.1}, {100, 0, 0}};
+    const Box part = densest_part(places, bounds);
+    EXPECT_EQ(part.min, glm::dvec3(6, 3, 7));
+    EXPECT_EQ(part.max, glm::dvec3(7, 4, 8));
+    EXPECT_EQ(densest_part({}, bounds).max, bounds.max);
+}
+
 }  // namespace
 }  // namespace hw
