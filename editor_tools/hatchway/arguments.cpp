@@ -64,6 +64,11 @@ StageOptions stage_options(const LevelArguments& arguments, CompiledUse use)
             .cache = std::move(cache)};
 }
 
+PvsEffort pvs_effort(const std::string& name)
+{
+    return name == kPvsEfforts[0] ? PvsEffort::fast : name == kPvsEfforts[1] ? PvsEffort::full : PvsEffort::exact;
+}
+
 glm::ivec2 parse_size(const std::string& text)
 {
     glm::ivec2 size(0);

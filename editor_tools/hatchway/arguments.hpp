@@ -43,6 +43,10 @@ void add_cache_argument(CLI::App& command, std::filesystem::path& cache);
 /// Throws hw::Error if --cache names no folder, or none that can be made.
 StageOptions stage_options(const LevelArguments& arguments, CompiledUse use = CompiledUse::anew);
 
+/// What --pvs says, in the order of rising effort.
+inline const std::vector<std::string> kPvsEfforts{"fast", "full", "exact"};
+PvsEffort pvs_effort(const std::string& name);
+
 /// "1280x720". Throws hw::Error unless both sides are in [1, limits::kMaxImageSide] and the picture has at
 /// most limits::kMaxImagePixels.
 glm::ivec2 parse_size(const std::string& text);

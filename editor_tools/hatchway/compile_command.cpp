@@ -38,13 +38,6 @@ std::string portal_file_text(PortalGraph graph)
     return portals_text(graph);
 }
 
-PvsEffort effort_of(const CompileArguments& arguments)
-{
-    return arguments.effort == "fast"    ? PvsEffort::fast
-           : arguments.effort == "exact" ? PvsEffort::exact
-                                         : PvsEffort::full;
-}
-
 JsonValue result_json(const fs::path& out, const CompiledLevel& compiled)
 {
     const VisibilityStats& stats = compiled.visibility.stats;
@@ -68,7 +61,7 @@ void compile(const CompileArguments& arguments)
     const auto world = open_world(level, nullptr);
     require_unread(outputs);
     VisibilityOptions options;
-    options.effort = effort_of(arguments);
+    options.effort = pvs_effort(arguments.effort);
     options.threads = arguments.threads;
     const CompiledLevel compiled = compile_world(level, *world, options);
     keep_compiled_level(out, compiled, world->chunks);
@@ -92,7 +85,7 @@ void add_compile_command(CLI::App& app)
     command->add_option("level", arguments->file, "A level or a bare model")->required()->option_text("LEVEL|GLB");
     command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
     command->add_option("--pvs", arguments->effort, "How tight; walk and render take what is at least full")
-        ->check(one_of({"fast", "full", "exact"}));
+        ->check(one_of(kPvsEfforts));
     command->add_option("--out", arguments->out, "The file; where walk and render find it")->option_text("FILE");
     add_cache_argument(*command, arguments->cache);
     command

@@ -69,7 +69,7 @@ void run_pvs(const PvsArguments& arguments)
     require_outputs({{"--json", arguments.json}, {"--rows", arguments.rows}}, {arguments.file});
     const PortalFile portals = read_portal_file(arguments.file);
     PvsOptions options;
-    options.effort = arguments.effort == "fast" ? PvsEffort::fast : PvsEffort::exact;
+    options.effort = pvs_effort(arguments.effort);
     options.threads = arguments.threads;
     options.slack = kSlack;
     options.least = kLeast;
@@ -95,7 +95,7 @@ void add_pvs_command(CLI::App& app)
     CLI::App* command = app.add_subcommand("pvs", "Computes which leaves of a Quake portal file see each other");
     command->add_option("file", arguments->file, "A portal file, PRT1 or PRT2 text")->required();
     command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
-    command->add_option("--pvs", arguments->effort, "How tight")->check(one_of({"fast", "full", "exact"}));
+    command->add_option("--pvs", arguments->effort, "How tight")->check(one_of(kPvsEfforts));
     command->add_option("--rows", arguments->rows, "Writes for each leaf or cluster a line of those it sees")
         ->option_text("FILE");
     add_json_argument(*command, arguments->json);

@@ -4,9 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cmath>
 #include <iostream>
-#include <random>
 
 #include "hatchway/arguments.hpp"
 #include "hatchway/option_rules.hpp"
@@ -14,9 +12,8 @@
 #include "io/gltf_import.hpp"
 #include "io/json_out.hpp"
 #include "io/level_file.hpp"
-#include "measure/bsp_oracle.hpp"
+#include "measure/bsp_measure.hpp"
 #include "measure/measures.hpp"
-#include "world/structure.hpp"
 
 namespace hw {
 namespace {
@@ -27,35 +24,6 @@ struct BspMeasureArguments {
     std::filesystem::path json;
 };
 
-/// Every other point lies within a few grid steps of a plane of the tree: the ones that a careless test gets wrong.
-std::uint64_t misclassified(const BspTree& tree, std::uint64_t points)
-{
-    std::mt19937_64 engine(1);
-    std::uniform_real_distribution<double> share(0.0, 1.0);
-    std::uint64_t wrong = 0;
-    for (std::uint64_t i = 0; i < points; ++i) {
-        glm::dvec3 point =
-            tree.bounds_world.min + tree.bounds_world.size() * glm::dvec3(share(engine), share(engine), share(engine));
-        if (i % 2 == 1 && !tree.nodes.empty()) {
-            const ExactPlane& plane = tree.nodes[engine() % tree.nodes.size()].plane;
-            const double distance = plane.distance((point - tree.grid.origin_world) / tree.grid.step_m);
-            const double aside = std::pow(10.0, -12.0 * share(engine)) * (share(engine) - 0.5);
-            point -= plane.unit_normal * ((distance + aside) * tree.grid.step_m);
-        }
-        wrong += leaf_at(tree, point) != measure::leaf_by_rationals(tree, point);
-    }
-    return wrong;
-}
-
-double area_m2(const BspBuild& build)
-{
-    double sum = 0.0;
-    for (const auto& pieces : build.polygons_of_node) {
-        for (const BlockingPolygon& piece : pieces) sum += area(piece.polygon);
-    }
-    return sum * build.tree.grid.step_m * build.tree.grid.step_m;
-}
-
 JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
 {
     const Level level = read_level(file);
@@ -65,13 +33,12 @@ JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
     const BspBuild build =
         build_bsp(structure.grid, structure.planes, structure.polygons, structure.box_min, structure.box_max);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double area_error = structure.area_m2 > 0.0 ? std::abs(area_m2(build) / structure.area_m2 - 1.0) : 0.0;
     JsonValue row = JsonValue::object();
     row.set("file", file.filename().string()).set("seconds", seconds);
     row.set("polygons", static_cast<std::uint64_t>(structure.polygons.size())).set("pieces", build.piece_count);
     row.set("leaves", build.tree.leaf_count).set("depth", build.depth);
-    row.set("points", points).set("misclassified", misclassified(build.tree, points));
-    row.set("relative_area_error", area_error);
+    row.set("points", points).set("misclassified", measure::misclassified(build.tree, points));
+    row.set("relative_area_error", measure::relative_area_error(structure, build));
     return row;
 }
 

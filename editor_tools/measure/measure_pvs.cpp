@@ -26,11 +26,6 @@ struct PvsMeasureArguments {
     std::filesystem::path json;
 };
 
-PvsEffort effort_named(const std::string& name)
-{
-    return name == "fast" ? PvsEffort::fast : name == "full" ? PvsEffort::full : PvsEffort::exact;
-}
-
 std::uint64_t bytes_of(const Visibility& visibility)
 {
     const auto bytes = [](const LeafRows& rows) {
@@ -65,10 +60,11 @@ void measure_file(const std::filesystem::path& file, const PvsMeasureArguments& 
     for (MeshData& mesh : scene.meshes) chunks.push_back(split_into_chunks(mesh));
     for (const std::string& effort : arguments.efforts) {
         VisibilityOptions options;
-        options.effort = effort_named(effort);
+        options.effort = pvs_effort(effort);
         options.threads = arguments.threads;
         const Visibility visibility = build_visibility(scene, level, chunks, options);
-        const auto rays = measure::measure_pvs(scene, chunks, visibility, {.rays = arguments.rays});
+        const auto rays =
+            measure::measure_pvs(scene, chunks, visibility, {.rays = arguments.rays, .threads = arguments.threads});
         rows.push(row_json(file.filename().string(), effort, visibility, rays));
     }
 }
@@ -89,7 +85,7 @@ JsonValue measure_slits(const PvsMeasureArguments& arguments)
         for (MeshData& mesh : slit.scene.meshes) chunks.push_back(split_into_chunks(mesh));
         for (const std::string& effort : arguments.efforts) {
             VisibilityOptions options;
-            options.effort = effort_named(effort);
+            options.effort = pvs_effort(effort);
             options.threads = arguments.threads;
             const Visibility visibility = build_visibility(slit.scene, {}, chunks, options);
             const bool is_shown = measure::is_target_shown(slit, visibility);
@@ -125,9 +121,7 @@ void add_measure_pvs(CLI::App& measure)
         measure.add_subcommand("pvs", "Seconds, over-estimate and false invisibles of the potentially visible set");
     command->add_option("files", arguments->files, "Levels or models; none: only the built-in scenes with slits");
     command->add_option("--rays", arguments->rays, "Rays for each effort")->check(whole_number_in(1, 1'000'000'000));
-    command->add_option("--pvs", arguments->efforts, "Efforts to measure")
-        ->check(one_of({"fast", "full", "exact"}))
-        ->delimiter(',');
+    command->add_option("--pvs", arguments->efforts, "Efforts to measure")->check(one_of(kPvsEfforts))->delimiter(',');
     command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
     add_json_argument(*command, arguments->json);
     command->callback([arguments] { measure_pvs_command(*arguments); });

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fstream>
 #include <iostream>
 
@@ -17,7 +16,9 @@
 #include "hatchway/option_rules.hpp"
 #include "hatchway/output_files.hpp"
 #include "io/json_out.hpp"
+#include "measure/log_slope.hpp"
 #include "measure/measures.hpp"
+#include "measure/picture_difference.hpp"
 #include "measure/scale_level.hpp"
 #include "render/camera_view.hpp"
 
@@ -80,16 +81,14 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-/// Slope of the straight line of least squares through (log x, log y).
-double log_slope(const std::vector<Row>& rows, double (*x_of)(const Row&), double (*y_of)(const Row&))
+double slope(const std::vector<Row>& rows, double Row::*value)
 {
-    double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    std::vector<double> triangles, values;
     for (const Row& row : rows) {
-        const double x = std::log(x_of(row)), y = std::log(std::max(y_of(row), 1e-9));
-        sx += x, sy += y, sxx += x * x, sxy += x * y;
+        triangles.push_back(static_cast<double>(row.level.triangles));
+        values.push_back(std::max(row.*value, 1e-9));
     }
-    const double n = static_cast<double>(rows.size());
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    return measure::log_slope(triangles, values);
 }
 
 void draw_frames(Stage& stage, const ScaleArguments& arguments, const glm::ivec2& size, Row& row)
@@ -111,10 +110,7 @@ void draw_frames(Stage& stage, const ScaleArguments& arguments, const glm::ivec2
     options.use_pvs = false;
     stage.draw(view, options);
     const Pixels without = stage.renderer().read_picture();
-    std::size_t differing = 0;
-    for (std::size_t i = 0; i < with.bytes.size(); i += 3)
-        differing += !std::equal(&with.bytes[i], &with.bytes[i] + 3, &without.bytes[i]);
-    row.differing_share = 3.0 * static_cast<double>(differing) / static_cast<double>(with.bytes.size());
+    row.differing_share = measure::unlike_share(with, without);
 }
 
 Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::path& folder, int rooms)
@@ -170,6 +166,8 @@ void measure_scale(const ScaleArguments& arguments)
                                  level.triangles);
         return;
     }
+    if (arguments.rooms.size() < 2 || arguments.rooms.front() >= arguments.rooms.back())
+        throw Error({.what = "--rooms", .expected = "at least two sizes, the largest last"});
     const auto context = make_headless_context();
     require_fits(size, context->device());
     const WorkFolder folder;
@@ -180,10 +178,9 @@ void measure_scale(const ScaleArguments& arguments)
         std::cout << row_text(rows.back()) << std::flush;
         json_rows.push(row_json(rows.back()));
     }
-    const auto triangles = [](const Row& row) { return static_cast<double>(row.level.triangles); };
-    const double compile = log_slope(rows, triangles, [](const Row& row) { return row.compile_s; });
-    const double memory = log_slope(rows, triangles, [](const Row& row) { return row.resident_mib; });
-    const double frame = log_slope(rows, triangles, [](const Row& row) { return row.frame_ms; });
+    const double compile = slope(rows, &Row::compile_s);
+    const double memory = slope(rows, &Row::resident_mib);
+    const double frame = slope(rows, &Row::frame_ms);
     std::cout << fmt::format("slopes against triangles: compile {:.2f}, memory {:.2f}, frame {:.2f}\n", compile, memory,
                              frame);
     if (arguments.json.empty()) return;

@@ -14,6 +14,7 @@ namespace hw::measure {
 struct PvsRayOptions {
     std::uint64_t rays = 10'000'000;
     std::uint64_t seed = 1;
+    int threads = 0;  ///< 0: as many as the machine has. The counts do not depend on it.
 };
 
 /// A ray that meets what the rows hide.
@@ -31,7 +32,7 @@ struct PvsRayResult {
     int clusters = 0;                      ///< Clusters with enough rays to speak of a truth.
     double row_share = 0.0;                ///< Mean share of triangles in the rows of these clusters.
     double sampled_share = 0.0;            ///< Mean share of triangles that their rays met.
-    std::vector<FalseInvisible> examples;  ///< At most sixteen.
+    std::vector<FalseInvisible> examples;  ///< At most sixteen, any of them.
 };
 
 /// Shoots rays from places all over the scene, half of them anywhere in its box and half near drawn surfaces, and

@@ -62,15 +62,46 @@ ReportSection frame_section(const std::string& level)
     return {.name = "frame",
             .title = "Frames",
             .says =
-                "Milliseconds of a frame along the level's tour at 1280 x 720, and the share of pixels that differ "
-                "from the same frame drawn without the PVS.",
-            .arguments = {"frame", level, "--frames", "30"},
+                "Milliseconds of a frame along the level's tour at 1280 x 720 without the PVS and at its efforts, the "
+                "share "
+                "of the scene that their rows leave, and the share of pixels that differ from the same frame drawn "
+                "without: it must be none.",
+            .arguments = {"frame", level, "--frames", "15", "--pvs", "fast,full"},
             .plots = {{.title = "Frame time against what the PVS changes",
                        .x_column = "median_ms.total",
                        .x_label = "median ms of a frame",
                        .y_column = "pixels_unlike_without_pvs",
                        .y_label = "share of pixels that differ",
-                       .series_columns = {"style", "samples", "pvs"}}}};
+                       .series_columns = {"style", "samples", "pvs"}},
+                      {.title = "Frame time against what the rows leave",
+                       .x_column = "visible_share",
+                       .x_label = "share of the scene's triangles in the row, mean over the path",
+                       .y_column = "median_ms.total",
+                       .y_label = "median ms of a frame",
+                       .series_columns = {"style", "samples"}}}};
+}
+
+ReportSection bsp_section(const std::vector<std::string>& scenes)
+{
+    return {
+        .name = "bsp",
+        .title = "The tree",
+        .says =
+            "Seconds to choose the structure and to build the tree, random points whose leaf rational arithmetic "
+            "names otherwise (there must be none), and how far the area of all pieces is from that of the polygons.",
+        .arguments = joined({"bsp"}, scenes, {"--points", "100000"}),
+        .plots = {{.title = "Time against area error",
+                   .x_column = "seconds",
+                   .x_label = "seconds",
+                   .y_column = "relative_area_error",
+                   .y_label = "relative error of the area",
+                   .series_columns = {"file"}},
+                  {.title = "Time against misclassified points",
+                   .x_column = "seconds",
+                   .x_label = "seconds",
+                   .y_column = "misclassified",
+                   .y_label = "wrong of the random points",
+                   .series_columns = {"file"}}}};
 }
 
 ReportSection pvs_section(const std::vector<std::string>& scenes)
@@ -79,14 +110,14 @@ ReportSection pvs_section(const std::vector<std::string>& scenes)
             .title = "Potentially visible sets",
             .says =
                 "Seconds to compile, the average visible share, and claims that sampled rays prove wrong: there "
-                "must be none.",
-            .arguments = joined({"pvs"}, scenes),
+                "must be none. The over-estimate compares rows with what a million rays met.",
+            .arguments = joined({"pvs"}, scenes, {"--rays", "1000000", "--pvs", "fast,full"}),
             .plots = {{.title = "Compile time against over-estimate",
                        .x_column = "seconds",
                        .x_label = "seconds",
                        .y_column = "over_estimate",
                        .y_label = "visible / visible by sampling",
-                       .series_columns = {"scene", "effort"}}}};
+                       .series_columns = {"file", "effort"}}}};
 }
 
 ReportSection lines_section(const std::string& prism, const std::string& hall, const fs::path& data)
@@ -254,6 +285,7 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
     return {silhouettes_section(models),
             silhouette_growth_section(),
             frame_section(hall),
+            bsp_section(scenes),
             pvs_section(scenes),
             lightmap_section(),
             lines_section(models.front(), hall, data),

@@ -214,11 +214,15 @@ TEST(program, measures_frames_with_their_error)
                                               "--size", "64x48", "--json", folder / "m.json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json rows = read_json(folder / "m.json")["rows"];
-    EXPECT_EQ(rows.size() % 4, 0u);
-    EXPECT_GE(rows.size(), 16u);
+    EXPECT_EQ(rows.size() % 8, 0u) << "1 and 4 samples, without the PVS and at three efforts";
+    EXPECT_GE(rows.size(), 32u);
+    std::vector<std::string> efforts;
+    for (std::size_t i = 0; i < 4; ++i) efforts.push_back(rows[i]["pvs"]);
+    EXPECT_EQ(efforts, (std::vector<std::string>{"none", "fast", "full", "exact"}));
     for (const json& row : rows) {
         EXPECT_GT(row["median_ms"]["total"], 0.0);
         EXPECT_GE(row["p95_ms"]["total"], row["median_ms"]["total"]);
-        EXPECT_TRUE(!row["pvs"] || row["pixels_unlike_without_pvs"] <= 0.0001) << row;
+        EXPECT_TRUE(row["pvs"] == "none" || row["pixels_unlike_without_pvs"] <= 0.0001) << row;
+        EXPECT_LE(row["visible_share"], 1.0);
     }
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "gl/context.hpp"
+#include "measure/picture_difference.hpp"
 #include "program/run_program.hpp"
 #include "render/camera_view.hpp"
 #include "walk/stage.hpp"
@@ -21,14 +22,6 @@ glm::dvec3 random_place(const Box& box, std::mt19937& random)
 {
     std::uniform_real_distribution<double> share(0.0, 1.0);
     return box.min + glm::dvec3(share(random), share(random), share(random)) * box.size();
-}
-
-double unlike_share(const Pixels& a, const Pixels& b)
-{
-    std::size_t count = 0;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = 0; x < a.width; ++x) count += !std::equal(a.at(x, y), a.at(x, y) + a.channels, b.at(x, y));
-    return static_cast<double>(count) / (static_cast<double>(a.width) * a.height);
 }
 
 }  // namespace
@@ -53,7 +46,7 @@ PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, 
         const FrameStats with = stage.draw(view, {.samples = 1, .use_pvs = true});
         const Pixels picture = stage.renderer().read_picture();
         const FrameStats without = stage.draw(view, {.samples = 1, .use_pvs = false});
-        const double share = unlike_share(picture, stage.renderer().read_picture());
+        const double share = measure::unlike_share(picture, stage.renderer().read_picture());
         result.unlike_pictures += share > 0.0;
         drawn += static_cast<double>(with.triangles);
         all += static_cast<double>(without.triangles);

@@ -30,7 +30,7 @@ SceneBuilder cube_of_six_walls()
 void lose_slot(Visibility& visibility, std::uint32_t slot)
 {
     for (int cluster = 0; cluster < visibility.slot_rows.leaf_count(); ++cluster) {
-        visibility.slot_rows.row(cluster)[slot / 64] &= ~(std::uint64_t{1} << (slot % 64));
+        visibility.slot_rows.hide(cluster, static_cast<int>(slot));
     }
 }
 
