@@ -121,23 +121,26 @@ void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, con
     });
     const double least = options.least_area_share * structure.scene_side_m2 / square_m;
     const double least_named = 0.1 * least;
-    const std::size_t most =
-        static_cast<std::size_t>(options.max_structure) + static_cast<std::size_t>(options.max_details);
-    structure.left_out = static_cast<int>(order.size() - std::min(order.size(), most));
-    order.resize(std::min(order.size(), most));
+    int detail_count = 0;
     for (const std::size_t i : order) {
         if (std::find(of_box.begin(), of_box.end(), planes[i].plane) != of_box.end()) continue;
         const FlatPolygon& flat = polygons[i];
+        const bool may_split = level.structure ? flat.is_named && plane_area(i) >= least_named : plane_area(i) >= least;
+        const bool is_detail = !may_split || structure.structure_count >= options.max_structure;
+        if (is_detail && detail_count >= options.max_details) {
+            ++structure.left_out;
+            continue;
+        }
         BlockingPolygon polygon;
         polygon.polygon = polygon_over_ring(structure.planes, planes[i].plane, flat.ring);
         polygon.blocks_from_front = planes[i].is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
         polygon.blocks_from_back = planes[i].is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
-        const bool may_split = level.structure ? flat.is_named && plane_area(i) >= least_named : plane_area(i) >= least;
-        polygon.is_detail = !may_split || structure.structure_count >= options.max_structure;
-        if (polygon.is_detail && may_split)
+        polygon.is_detail = is_detail;
+        if (is_detail && may_split)
             structure.demoted_world.push_back(structure.grid.origin_world +
                                               polygon.polygon.corners[0] * structure.grid.step_m);
-        structure.structure_count += !polygon.is_detail;
+        detail_count += is_detail;
+        structure.structure_count += !is_detail;
         structure.area_m2 += area(polygon.polygon) * square_m;
         structure.polygons.push_back(std::move(polygon));
     }

@@ -98,14 +98,21 @@ void note_demoted(const Structure& structure, const VisibilityOptions& options, 
         bounds_world, stats);
 }
 
+/// Walls that part places ask for clusters, a seventh of their number in plain rooms; open scenes of many small pieces
+/// do not gain by more than the first thousand, and their flow would run out of time.
+int cluster_budget(const VisibilityOptions& options, const VisibilityStats& stats)
+{
+    constexpr int kAlways = 1000, kPolygonsOfCluster = 7;
+    return std::min(options.max_clusters, std::max(kAlways, stats.structure_polygons / kPolygonsOfCluster));
+}
+
 /// `places` are those of merge_clusters().
-void note_merged(std::vector<glm::dvec3> places, const BspTree& tree, const VisibilityOptions& options,
-                 VisibilityStats& stats)
+void note_merged(std::vector<glm::dvec3> places, const BspTree& tree, int most_clusters, VisibilityStats& stats)
 {
     for (glm::dvec3& place : places) place += tree.grid.origin_world;
     add_shortfall(places,
                   fmt::format("{} of {} clusters were merged with others, the budget is {}", places.size(),
-                              places.size() + static_cast<std::size_t>(tree.cluster_count), options.max_clusters),
+                              places.size() + static_cast<std::size_t>(tree.cluster_count), most_clusters),
                   tree.bounds_world, stats);
 }
 
@@ -175,7 +182,8 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     tell(0.1);
     const std::vector<LeafContact> contacts = leaf_contacts(build);
     tell(0.2);
-    note_merged(merge_clusters(build.tree, contacts, {.most = options.max_clusters}), build.tree, options,
+    const int most_clusters = cluster_budget(options, visibility.stats);
+    note_merged(merge_clusters(build.tree, contacts, {.most = most_clusters}), build.tree, most_clusters,
                 visibility.stats);
     const PortalGraph graph = cluster_portals(build, contacts);
     const std::vector<Box> boxes_of_leaves = leaf_boxes(build.tree, contacts);
