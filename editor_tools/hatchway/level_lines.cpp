@@ -13,34 +13,6 @@ namespace {
 constexpr float kPaperCreaseRad = 0.6981317f;  // 40 degrees
 constexpr double kHiddenWidth = 0.6;           // of a hidden line, and its opacity: it stays behind what is seen
 constexpr double kHiddenOpacity = 0.5;
-constexpr double kThinnestPx = 0.05;  // what is thinner is gone
-
-/// Mean length of the lines that an object draws from every viewpoint, object space.
-double mean_line_length(const LineObject& object)
-{
-    const Surface& surface = *object.surface;
-    const EdgeClasses classes = classes_at(surface, object.crease_rad);
-    double sum = 0.0;
-    std::uint64_t count = 0;
-    const auto add = [&](EdgeRange range) {
-        for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-            const auto [a, b] = edge_vertices(surface, edge);
-            sum += glm::distance(surface.positions[a], surface.positions[b]);
-            ++count;
-        }
-    };
-    add(classes.borders);
-    for (const EdgeRange range : classes.artist) add(range);
-    for (const EdgeRange range : classes.ridges) add(range);
-    for (const EdgeRange range : classes.valleys) add(range);
-    return sum / static_cast<double>(std::max<std::uint64_t>(count, 1));
-}
-
-double smooth_step(double from, double to, double x)
-{
-    const double t = std::clamp((x - from) / std::max(to - from, 1e-12), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 LineLook paper_look(float crease_rad)
 {
@@ -89,15 +61,11 @@ LevelLines::LevelLines(const Scene& scene, std::vector<ObjectInk> inks, std::opt
         for (ObjectId id = 0; id < scene.objects.size(); ++id) {
             objects_[id].hides = true;
             objects_[id].crease_rad = crease_rad.value_or(kPaperCreaseRad);
-            pens_[id] = {{paper_look(objects_[id].crease_rad), 1.0}};
+            pens_[id] = {{.look = paper_look(objects_[id].crease_rad)}};
         }
     } else {
         take_inks(inks, crease_rad);
         find_object_seams(inks);
-    }
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(scene.world_from_object(id)))));
-        mean_length_m_.push_back(static_cast<float>(scale * mean_line_length(objects_[id])));
     }
 }
 
@@ -143,47 +111,53 @@ const std::string& LevelLines::name(std::uint32_t object) const
     return scene_.nodes[scene_.objects[object].node].path;
 }
 
-double LevelLines::width_at(const VisibleLine& line, const ObjectLineLook& pen, const LineCamera& camera) const
+void LevelLines::find_crowding()
 {
-    const auto index = static_cast<std::size_t>(line.line_class);
-    if (!pen.look.is_drawn[index]) return 0.0;
-    double width = pen.presence * pen.look.width_px[index];
-    const double focal_px = 0.5 * camera.size_px.y / std::tan(0.5 * camera.fov_rad);
-    double distance_m = 0.0;  // of the line's points, on the average
-    for (std::size_t i = 0; i < line.points_px.size(); ++i) {
-        const glm::dvec2 aside = (line.points_px[i] - 0.5 * glm::dvec2(camera.size_px)) / focal_px;
-        distance_m += std::sqrt(1.0 + glm::dot(aside, aside)) / line.inverse_depths[i];
+    for (const LineObject& object : objects_) inked_.push_back(inked_object(object));
+    std::vector<std::vector<std::array<glm::vec3, 2>>> pieces(objects_.size());
+    if (std::any_of(objects_.begin(), objects_.end(), shows_intersections)) {
+        for (const IntersectionLine& line : intersections()) {
+            const std::uint32_t owner = line.objects[shows_intersections(objects_[line.objects[0]]) ? 0 : 1];
+            const auto in_object = [&](const glm::dvec3& p) {
+                return glm::vec3(glm::dvec3(inked_[owner].object_from_world * glm::dvec4(p, 1.0)));
+            };
+            pieces[owner].push_back({in_object(line.ends_world[0]), in_object(line.ends_world[1])});
+        }
     }
-    distance_m /= static_cast<double>(line.points_px.size());
-    if (pen.look.depth_taper > 0.0f && distance_m > pen.look.taper_from_m)
-        width *= glm::mix(1.0, pen.look.taper_from_m / distance_m, static_cast<double>(pen.look.depth_taper));
-    if (pen.look.far.is_on && line.line_class != VisibleLineClass::silhouette) {
-        const double spacing_px = mean_length_m_[line.object] * focal_px / distance_m;
-        width *= smooth_step(pen.look.far.none_spacing_px, pen.look.far.full_spacing_px, spacing_px);
+    for (ObjectId id = 0; id < objects_.size(); ++id) {
+        const LineObject& object = objects_[id];
+        const bool is_needed = std::any_of(pens_[id].begin(), pens_[id].end(),
+                                           [](const ObjectLineLook& pen) { return pen.look.far.is_on; });
+        if (!is_needed) continue;
+        inked_[id].crowding.emplace(crowding_lines(*object.surface, object.crease_rad, object.seams, pieces[id]));
     }
-    return width;
 }
 
-void LevelLines::append_groups(VectorObject& object, const std::vector<VisibleLine>& lines, std::size_t begin,
-                               std::size_t end, const LineCamera& camera) const
+void LevelLines::append_groups(VectorObject& object, std::span<const VisibleLine> lines, const LineWidths& widths) const
 {
-    const auto index = static_cast<std::size_t>(lines[begin].line_class);
-    for (const ObjectLineLook& pen : pens_[lines[begin].object]) {
-        VectorGroup group{.line_type = line_type_name(lines[begin].line_class),
-                          .is_hidden = !lines[begin].is_visible,
-                          .width_px = pen.look.width_px[index] * (lines[begin].is_visible ? 1.0 : kHiddenWidth),
-                          .opacity = lines[begin].is_visible ? 1.0 : kHiddenOpacity,
+    const VisibleLine& first = lines.front();
+    const auto index = static_cast<std::size_t>(first.line_class);
+    const double share = first.is_visible ? 1.0 : kHiddenWidth;
+    for (const ObjectLineLook& pen : pens_[first.object]) {
+        VectorGroup group{.line_type = line_type_name(first.line_class),
+                          .is_hidden = !first.is_visible,
+                          .width_px = pen.look.width_px[index] * share,
+                          .opacity = first.is_visible ? 1.0 : kHiddenOpacity,
                           .colour_srgb = pen.look.colour[index]};
-        for (std::size_t i = begin; i < end; ++i) {
-            const double width = width_at(lines[i], pen, camera) * (lines[i].is_visible ? 1.0 : kHiddenWidth);
-            if (width >= kThinnestPx) group.lines.push_back({lines[i].points_px, lines[i].is_closed, width});
+        for (const VisibleLine& line : lines) {
+            for (VectorLine& piece : widths.pieces(line, pen, inked_[first.object])) {
+                piece.width_px *= share;
+                group.lines.push_back(std::move(piece));
+            }
         }
         if (!group.lines.empty()) object.groups.push_back(std::move(group));
     }
 }
 
-VectorDrawing LevelLines::drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera) const
+VectorDrawing LevelLines::drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera)
 {
+    if (inked_.empty()) find_crowding();
+    const LineWidths widths(camera);
     VectorDrawing drawing{.size_px = camera.size_px};
     for (std::size_t begin = 0; begin < lines.size();) {
         const VisibleLine& first = lines[begin];
@@ -192,7 +166,7 @@ VectorDrawing LevelLines::drawing(const std::vector<VisibleLine>& lines, const L
                lines[end].is_visible == first.is_visible)
             ++end;
         if (begin == 0 || lines[begin - 1].object != first.object) drawing.objects.push_back({name(first.object), {}});
-        append_groups(drawing.objects.back(), lines, begin, end, camera);
+        append_groups(drawing.objects.back(), std::span(lines).subspan(begin, end - begin), widths);
         begin = end;
     }
     // What is hidden lies under what is seen.

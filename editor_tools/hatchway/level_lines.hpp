@@ -5,7 +5,7 @@
 
 #include "geometry/intersections.hpp"
 #include "geometry/visible_lines.hpp"
-#include "hatchway/line_looks.hpp"
+#include "hatchway/line_widths.hpp"
 #include "io/vector_drawing.hpp"
 
 namespace hw {
@@ -27,14 +27,13 @@ class LevelLines {
 
     /// The lines with the widths and colours of the objects' styles: those thinned away by distance or presence are
     /// left out.
-    VectorDrawing drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera) const;
+    VectorDrawing drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera);
 
  private:
     void take_inks(const std::vector<ObjectInk>& inks, std::optional<float> crease_rad);
     void find_object_seams(const std::vector<ObjectInk>& inks);
-    double width_at(const VisibleLine& line, const ObjectLineLook& pen, const LineCamera& camera) const;
-    void append_groups(VectorObject& object, const std::vector<VisibleLine>& lines, std::size_t begin, std::size_t end,
-                       const LineCamera& camera) const;
+    void find_crowding();
+    void append_groups(VectorObject& object, std::span<const VisibleLine> lines, const LineWidths& widths) const;
 
     const Scene& scene_;
     std::vector<Surface> surfaces_;
@@ -42,7 +41,7 @@ class LevelLines {
     std::vector<std::vector<ObjectLineLook>> pens_;
     std::vector<Seams> seams_;  ///< Of the objects whose styles draw edges.
     std::optional<std::vector<IntersectionLine>> intersections_;
-    std::vector<float> mean_length_m_;  ///< Of an object's lines, world space: what the far policy goes by.
+    std::vector<InkedObject> inked_;
 };
 
 /// find_visible_lines(), so many times; `seconds` gets the median time.

@@ -27,12 +27,8 @@ class LookRecorder final : public Pass {
     void surfaces(Program, const Uniforms&, std::span<const DrawItem>) override {}
     void lines(const LineLook& look, std::span<const DrawItem> items) override
     {
-        for (const DrawItem& item : items) {
-            const auto middle = static_cast<float>(item.bounds_world.centre().y);
-            const double value = presence_at(item.presence, middle, view_.time_s);
-            const double presence = item.is_presence_inverted ? 1.0 - value : value;
-            if (presence > 0.0) inks_[item.object].looks.push_back({look, presence});
-        }
+        for (const DrawItem& item : items)
+            inks_[item.object].looks.push_back({look, item.presence, item.is_presence_inverted, view_.time_s});
     }
 
  private:

@@ -6,13 +6,23 @@
 #include "style/line_look.hpp"
 #include "style/view.hpp"
 #include "world/level.hpp"
+#include "world/presence.hpp"
 
 namespace hw {
 
 /// How one of an object's styles draws its lines.
 struct ObjectLineLook {
     LineLook look;
-    double presence = 1.0;  ///< The share that the style has in the object, at the middle of its height.
+    PresenceField field;  ///< The share that the style has in the object.
+    bool is_inverted = false;
+    double time_s = 0.0;
+
+    /// At a height in the world.
+    double presence(double y_m) const
+    {
+        const double value = presence_at(field, static_cast<float>(y_m), time_s);
+        return is_inverted ? 1.0 - value : value;
+    }
 };
 
 /// What the styles of an object make of its edges.

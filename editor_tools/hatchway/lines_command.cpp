@@ -100,7 +100,7 @@ JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& le
     return json.set("mode", mode).set("lines", std::move(lines));
 }
 
-void write_results(const LinesArguments& arguments, const std::vector<VisibleLine>& found, const LevelLines& lines,
+void write_results(const LinesArguments& arguments, const std::vector<VisibleLine>& found, LevelLines& lines,
                    const LineCamera& camera, const Level& level)
 {
     require_unread({{"--out", arguments.out}, {"--json", arguments.json}});

@@ -9,21 +9,27 @@
 namespace hw {
 namespace {
 
-std::vector<ObjectInk> all_inked(const Scene& scene, double crease_deg)
+std::vector<ObjectInk> all_inked(const Scene& scene, const LineLook& pen)
 {
-    const auto crease_rad = static_cast<float>(glm::radians(crease_deg));
-    const ObjectInk ink{.is_used = true, .crease_rad = crease_rad, .has_intersections = true, .looks = {{}}};
-    std::vector<ObjectInk> inks(scene.objects.size(), ink);
-    for (ObjectInk& object : inks) object.looks[0].look.crease_rad = crease_rad;
-    return inks;
+    const ObjectInk ink{
+        .is_used = true, .crease_rad = pen.crease_rad, .has_intersections = true, .looks = {{.look = pen}}};
+    return std::vector<ObjectInk>(scene.objects.size(), ink);
+}
+
+LineCamera line_camera(const CameraPlace& camera, glm::ivec2 size_px)
+{
+    return {.eye_world = camera.eye_world,
+            .target_world = camera.target_world,
+            .fov_rad = glm::radians(camera.fov_deg),
+            .size_px = size_px};
 }
 
 }  // namespace
 
-ExactLines::ExactLines(const std::filesystem::path& file, double crease_deg)
+ExactLines::ExactLines(const std::filesystem::path& file, const LineLook& pen)
     : level_(read_level_with(file, {})),
       world_(open_world(level_, nullptr)),
-      lines_(world_->scene, all_inked(world_->scene, crease_deg), {}),
+      lines_(world_->scene, all_inked(world_->scene, pen), {}),
       cuts_(&lines_.intersections())
 {
 }
@@ -42,13 +48,19 @@ std::vector<CameraPlace> ExactLines::cameras(int count, double aspect) const
 
 std::vector<VisibleLine> ExactLines::find(const CameraPlace& camera, glm::ivec2 size_px, double* seconds) const
 {
-    const LineCamera line_camera{.eye_world = camera.eye_world,
-                                 .target_world = camera.target_world,
-                                 .fov_rad = glm::radians(camera.fov_deg),
-                                 .size_px = size_px};
     const VisibleLineOptions options{.intersections = *cuts_};
-    return seconds == nullptr ? find_visible_lines(lines_.objects(), line_camera, options)
-                              : timed_visible_lines(lines_.objects(), line_camera, options, 5, *seconds);
+    const LineCamera place = line_camera(camera, size_px);
+    return seconds == nullptr ? find_visible_lines(lines_.objects(), place, options)
+                              : timed_visible_lines(lines_.objects(), place, options, 5, *seconds);
+}
+
+std::vector<VectorLine> ExactLines::drawn(const CameraPlace& camera, glm::ivec2 size_px, double* seconds)
+{
+    std::vector<VectorLine> lines;
+    for (VectorObject& object : lines_.drawing(find(camera, size_px, seconds), line_camera(camera, size_px)).objects)
+        for (VectorGroup& group : object.groups)
+            for (VectorLine& line : group.lines) lines.push_back(std::move(line));
+    return lines;
 }
 
 }  // namespace hw

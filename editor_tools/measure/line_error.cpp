@@ -12,7 +12,8 @@ namespace hw {
 namespace {
 
 constexpr double kStepPx = 0.5;
-constexpr float kLeastInk = 0.1f;  // less is paper
+constexpr double kFaintestPx = 0.25;  // what is thinner leaves too little ink to be missed
+constexpr float kLeastInk = 0.1f;     // less is paper
 constexpr double kMissedReachPx = 1.0;
 constexpr double kLeakReachPx = 1.0;   // beyond half the width
 constexpr double kCrossReachPx = 1.5;  // beyond half the width: what is counted as this line's own ink
@@ -129,7 +130,8 @@ class Judge {
             error_.leaked_px += ink;
             if (shown_ != nullptr && ink >= kLeastInk) (*shown_)[i] = 1;
         }
-        for (const WantedLine& line : wanted_) walk(line);
+        for (const WantedLine& line : wanted_)
+            if (line.width_px >= kFaintestPx) walk(line);
         return std::move(error_);
     }
 

@@ -32,7 +32,7 @@ struct WantedLine {
 
 /// Error of a drawing, counted so that those of several pictures can be added.
 struct LineError {
-    double wanted_px = 0.0;  ///< Length of all wanted lines.
+    double wanted_px = 0.0;  ///< Length of all wanted lines of a quarter of a pixel and more.
     double missed_px = 0.0;  ///< ... of that without ink within a pixel.
     double ink_px = 0.0;     ///< All ink.
     double leaked_px = 0.0;  ///< ... of that farther than half a width + 1 px from every wanted line.

@@ -40,6 +40,10 @@ class Hybrid final : public hw::Style {
         visitor.real({"line_width_px", "Width of lines."}, line_width_px_, 0.0f, 16.0f);
         visitor.real({"line_presence", "Share of the lines where the object is photoreal."}, line_presence_, 0.0f,
                      1.0f);
+        visitor.flag({"far_thinning", "Thins crowded lines of far objects, so that they do not turn black."},
+                     is_far_thinned_);
+        visitor.real({"far_spacing_px", "Lines of an object that come closer together than this are thinned."},
+                     far_spacing_px_, 1.0f, 40.0f);
         visitor.real({"spacing_px", "Between hatching strokes."}, spacing_px_, 2.0f, 64.0f);
         visitor.real({"stroke_width_px", "Width of hatching strokes."}, stroke_width_px_, 0.2f, 16.0f);
         visitor.choice({"hatch_direction",
@@ -105,6 +109,7 @@ class Hybrid final : public hw::Style {
         look.width_px.fill(line_width_px_);
         look.colour.fill(ink_);
         look.crease_rad = crease_deg_ * kDegree;
+        look.far = hw::far_policy(is_far_thinned_, far_spacing_px_);
         for (const hw::DrawItem& item : items) {
             hw::DrawItem faded = item;
             if (gradient_ != kNone && line_presence_ < 1.0f && !item.is_presence_inverted) {
@@ -136,6 +141,8 @@ class Hybrid final : public hw::Style {
     int gradient_ = kObject, hatch_source_ = 0;
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f}, hatch_ink_{0.24f, 0.22f, 0.21f};
     float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
+    bool is_far_thinned_ = true;
+    float far_spacing_px_ = 6.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, hatch_deg_ = 52.0f, darkness_ = 0.66f, white_from_ = 0.72f,
           shadow_below_ = 0.26f;
     float light_response_ = 1.0f, material_tone_ = 0.1f, paper_from_material_ = 0.0f, ink_from_material_ = 0.0f;

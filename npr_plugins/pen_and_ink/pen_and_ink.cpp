@@ -137,7 +137,7 @@ class PenAndInk final : public hw::Style {
         look.stroke = stroke_;
         look.crease_rad = crease_deg_ * kDegree;
         look.depth_taper = depth_taper_;
-        look.far.is_on = is_far_thinned_;
+        look.far = hw::far_policy(is_far_thinned_, far_spacing_px_);
         pass.lines(look, items);
     }
 
@@ -189,8 +189,10 @@ class PenAndInk final : public hw::Style {
                      stroke_.dash_px, 0.0f, 200.0f);
         visitor.real({"line_dash_share", "Of the dash in that."}, stroke_.dash_share, 0.05f, 1.0f);
         visitor.real({"depth_taper", "1 thins lines with distance, 0 keeps their width."}, depth_taper_, 0.0f, 1.0f);
-        visitor.flag({"far_thinning", "Fades crowded lines of far objects, so that they do not turn black."},
+        visitor.flag({"far_thinning", "Thins crowded lines of far objects, so that they do not turn black."},
                      is_far_thinned_);
+        visitor.real({"far_spacing_px", "Lines of an object that come closer together than this are thinned."},
+                     far_spacing_px_, 1.0f, 40.0f);
     }
 
     float crease_deg_ = 40.0f, depth_taper_ = 0.0f, fold_weight_ = 0.0f;
@@ -199,6 +201,7 @@ class PenAndInk final : public hw::Style {
     hw::StrokeCharacter stroke_;
     glm::vec3 crease_colour_{0.07f, 0.06f, 0.06f};
     bool is_far_thinned_ = true;
+    float far_spacing_px_ = 6.0f;
     int tone_ = kShaded, hatch_source_ = 0, fade_ = kNoFade;
     float light_response_ = 1.0f, fade_from_m_ = 0.5f, fade_to_m_ = 1.0f;
     float spacing_px_ = 4.5f, stroke_width_px_ = 0.8f, stroke_length_px_ = 170.0f, wobble_px_ = 0.4f;

@@ -18,7 +18,8 @@ void append_if_seen(const std::array<ImagePoint, 3>& corners, const ImageTriangl
 }  // namespace
 
 ImageSpace::ImageSpace(const LineCamera& camera)
-    : centre_(0.5 * glm::dvec2(camera.size_px)),
+    : eye_world_(camera.eye_world),
+      centre_(0.5 * glm::dvec2(camera.size_px)),
       focal_px_(centre_.y / std::tan(0.5 * camera.fov_rad)),
       near_m_(camera.near_m)
 {

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -28,6 +30,14 @@ class ImageSpace {
         const double inverse = 1.0 / view.z;
         return {centre_.x + focal_px_ * view.x * inverse, centre_.y - focal_px_ * view.y * inverse, inverse};
     }
+    /// The place in the world of a point of the picture.
+    glm::dvec3 world_of(const ImagePoint& point) const
+    {
+        const double depth = 1.0 / point.z;
+        const glm::dvec3 view((point.x - centre_.x) * depth / focal_px_, (centre_.y - point.y) * depth / focal_px_,
+                              depth);
+        return eye_world_ + glm::transpose(glm::dmat3(view_from_world_)) * view;
+    }
     double near_m() const { return near_m_; }
     glm::dvec2 size_px() const { return 2.0 * centre_; }
     double focal_px() const { return focal_px_; }
@@ -43,6 +53,7 @@ class ImageSpace {
 
  private:
     glm::dmat4 view_from_world_{1.0};
+    glm::dvec3 eye_world_{0.0};
     glm::dvec2 centre_{0.0};
     double focal_px_ = 1.0;
     double near_m_ = 0.01;

@@ -91,11 +91,12 @@ std::vector<LineChain> join_pieces(std::span<const LinePiece> pieces)
         const bool is_closed = partner[start] != kNoEnd;
         if (is_closed) start = 2 * piece;
 
-        LineChain chain{{point_of(pieces, start)}, {depth_of(pieces, start)}, is_closed};
+        LineChain chain{{point_of(pieces, start)}, {depth_of(pieces, start)}, {}, is_closed};
         for (std::uint32_t end = start; end != kNoEnd && !is_used[end / 2]; end = partner[end ^ 1]) {
             is_used[end / 2] = true;
             chain.points.push_back(point_of(pieces, end ^ 1));
             chain.depths.push_back(depth_of(pieces, end ^ 1));
+            chain.edges.push_back(pieces[end / 2].edge);
         }
         if (is_closed) {
             chain.points.pop_back();

@@ -142,7 +142,7 @@ class ObjectGathering {
         const std::array<std::uint32_t, 2> faces = object_.surface->edges[edge].faces();
         const auto part = part_in_picture(space_, drawn_.view[a], drawn_.view[b]);
         if (!part || is_left_out(edge)) return;
-        DrawnLine line{index_, line_class, {a, b}, {kNoFace, kNoFace}, *part};
+        DrawnLine line{index_, line_class, {a, b}, {kNoFace, kNoFace}, *part, edge};
         for (int side = 0; side < 2; ++side) {
             const std::uint32_t face = faces[side];
             if (face != kNoFace) line.faces[side] = drawn_.first_face + unturned(face);
@@ -199,8 +199,7 @@ class ObjectGathering {
         for (const auto& [from, to] : object_.seams->kept) {
             const auto part = part_in_picture(space_, in_view(from), in_view(to));
             if (!part) continue;
-            found_.lines.push_back(
-                {index_, VisibleLineClass::border, {kFreeEnd, kFreeEnd}, {kNoFace, kNoFace}, *part, false});
+            found_.lines.push_back({index_, VisibleLineClass::border, {kFreeEnd, kFreeEnd}, {kNoFace, kNoFace}, *part});
         }
     }
 
@@ -224,7 +223,7 @@ void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects
                                           turn * (cut.ends_world[1] - camera.eye_world));
         if (!part) continue;
         const std::uint32_t owner = cut.objects[shows_intersections(objects[cut.objects[0]]) ? 0 : 1];
-        DrawnLine line{owner, VisibleLineClass::intersection, cut.joints, {}, *part, false};
+        DrawnLine line{owner, VisibleLineClass::intersection, cut.joints, {}, *part};
         for (int side = 0; side < 2; ++side)
             line.faces[side] = drawing.objects[cut.objects[side]].first_face + cut.faces[side];
         drawing.lines.push_back(line);

@@ -18,7 +18,7 @@ struct DrawnLine {
     std::array<std::uint32_t, 2> vertices{};
     std::array<std::uint32_t, 2> faces{};  ///< Numbers among all faces; kNoFace where there is none.
     ImageLine image;
-    bool is_edge = true;  ///< An edge of the object's surface, or what the picture shows of one.
+    std::uint32_t edge = kNoEdge;  ///< Of the surface, the line being all or a part of it.
 };
 
 /// A line at which visibility can change behind it.

@@ -88,7 +88,7 @@ class HiddenLines {
         const double length = glm::distance(glm::dvec2(seen.from), glm::dvec2(seen.to));
         cuts.assign({0.0, 1.0});
         if (occluders_.is_behind_one_face(seen.from, seen.to, drawn)) {
-            parts.push_back({index, false, piece_between(seen.from, seen.to)});
+            parts.push_back({index, false, piece_between(seen.from, seen.to, drawn.edge)});
             set_vertices(drawn, parts.back().piece, parts.back().piece);
             return;
         }
@@ -119,7 +119,7 @@ class HiddenLines {
                 set_end(parts.back().piece, at(cuts[i + 1]));
                 continue;
             }
-            parts.push_back({index, is_visible, piece_between(at(cuts[i]), at(cuts[i + 1]))});
+            parts.push_back({index, is_visible, piece_between(at(cuts[i]), at(cuts[i + 1]), drawn.edge)});
         }
         set_vertices(drawn, parts[first].piece, parts.back().piece);
     }
@@ -130,10 +130,9 @@ class HiddenLines {
         if (drawn.image.is_from_whole) first.from_vertex = drawn.vertices[0];
         if (drawn.image.is_to_whole) last.to_vertex = drawn.vertices[1];
     }
-    static LinePiece piece_between(const ImagePoint& from, const ImagePoint& to)
+    static LinePiece piece_between(const ImagePoint& from, const ImagePoint& to, std::uint32_t edge)
     {
-        LinePiece piece{glm::dvec2(from), glm::dvec2(to), kFreeEnd, kFreeEnd, from.z, to.z};
-        return piece;
+        return {glm::dvec2(from), glm::dvec2(to), kFreeEnd, kFreeEnd, from.z, to.z, edge};
     }
     static void set_end(LinePiece& piece, const ImagePoint& to)
     {
@@ -191,7 +190,8 @@ std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenL
                              .is_visible = parts[begin].is_visible,
                              .is_closed = chain.is_closed,
                              .points_px = std::move(chain.points),
-                             .inverse_depths = std::move(chain.depths)});
+                             .inverse_depths = std::move(chain.depths),
+                             .edges = std::move(chain.edges)});
         }
         begin = end;
     }

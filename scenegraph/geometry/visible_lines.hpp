@@ -55,6 +55,8 @@ struct VisibleLineOptions {
     std::span<const IntersectionLine> intersections;
 };
 
+inline constexpr std::uint32_t kNoEdge = 0xffffffffu;
+
 /// A polyline of the drawing. All of it belongs to one object and class and is visible, or all of it is hidden.
 struct VisibleLine {
     std::uint32_t object = 0;  ///< Index into the objects given.
@@ -63,6 +65,9 @@ struct VisibleLine {
     bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
     std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
     std::vector<double> inverse_depths;  ///< Of each point: 1 / distance from the plane of the eye, 1 / m.
+    /// Of each segment, the closing one included: the edge of the object's surface that it is a part of, or kNoEdge: an
+    /// intersection, or what seams keep of an edge.
+    std::vector<std::uint32_t> edges;
 };
 
 /// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:

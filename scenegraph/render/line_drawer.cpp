@@ -77,7 +77,8 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
         counters_.silhouette_edges += contours.size();
         for (const std::uint32_t edge : contours) {
             const auto ends = edge_vertices(*surface, edge);
-            append_line(vertices_, surface->positions[ends[0]], surface->positions[ends[1]], LineClass::silhouette);
+            append_line(vertices_, {surface->positions[ends[0]], surface->positions[ends[1]]}, LineClass::silhouette);
+            set_crowding(vertices_, lines->crowding[ends[0]], lines->crowding[ends[1]]);
         }
     }
     first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
@@ -190,9 +191,10 @@ void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, c
     GpuProgram::set(program.clip_from_object, item.object->clip_from_object);
     GpuProgram::set(program.relative_from_object, item.object->relative_from_object);
     GpuProgram::set(program.eye_object, glm::vec3(glm::inverse(item.object->relative_from_object)[3]));
-    GpuProgram::set(program.fade,
-                    glm::vec4(lines.mean_length * item.object->scale, look.far.none_spacing_px * view.px_scale,
-                              look.far.full_spacing_px * view.px_scale, look.far.is_on ? 1.0f : 0.0f));
+    const float full_px = look.far.full_spacing_px * view.px_scale;
+    const float window_px = look.far.is_on ? full_px / kFullSpacingInWindows : 0.0f;
+    GpuProgram::set(program.fade, glm::vec3(window_px, lines.crowding_window * item.object->scale,
+                                            std::min(look.far.none_spacing_px / look.far.full_spacing_px, 0.99f)));
     GpuProgram::set(program.stroke_scale, static_cast<float>(item.object->scale));
     set_presence(program.presence_height, program.presence_inverted, *item.item, view.time_s);
     const bool as_quads = program.primitive == Primitive::triangles;

@@ -38,6 +38,25 @@ void set_strokes(std::vector<LineVertex>& vertices)
     }
 }
 
+/// Writes into each line how crowded it is at its ends, and into `lines` what silhouettes need.
+void add_crowding(const Surface& surface, const LineExtras& extras, std::vector<LineVertex>& vertices, LineMesh& lines)
+{
+    const LineCrowding crowding(crowding_lines(surface, lines.crease_rad, extras.seams, extras.intersections));
+    lines.crowding_window = crowding.window();
+    std::vector<glm::vec3> places;  // of each line both ends and the middle
+    for (std::size_t i = 0; i < vertices.size(); i += 4) {
+        const glm::vec3 &a = vertices[i].position, &b = vertices[i].other;
+        places.insert(places.end(), {a, b, 0.5f * (a + b)});
+    }
+    const std::vector<glm::vec4> crowds = crowding.at(places);
+    // Other lines meet at every end: a line is no more crowded there than in its middle.
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::size_t line = i / 4 * 3;
+        vertices[i].crowding = glm::min(crowds[line + (i % 4 < 2 ? 0 : 1)], crowds[line + 2]);
+    }
+    if (classes_at(surface, lines.crease_rad).candidate_count() > 0) lines.crowding = crowding.at(surface.positions);
+}
+
 /// Gathers runs of lines in the order in which they are drawn.
 class RunBuilder {
  public:
@@ -67,7 +86,6 @@ class RunBuilder {
 
     std::vector<LineVertex> vertices;
     std::vector<LineMesh::Run> runs;
-    double length_sum = 0.0;
 
     std::uint32_t line_count() const { return static_cast<std::uint32_t>(vertices.size() / 4); }
 
@@ -99,8 +117,7 @@ class RunBuilder {
     }
     void add_line(const glm::vec3& a, const glm::vec3& b, LineClass line_class, const LineSides& sides, float fold)
     {
-        append_line(vertices, a, b, line_class, sides, fold);
-        length_sum += glm::distance(a, b);
+        append_line(vertices, {a, b}, line_class, sides, fold);
     }
     void finish(LineMesh::Run run)
     {
@@ -152,18 +169,27 @@ LineBuffer make_line_buffer(const LineIndices& indices)
                                 stream(VertexInput::normal, 3, offsetof(LineVertex, normal_a)),
                                 stream(VertexInput::tangent, 3, offsetof(LineVertex, normal_b)),
                                 stream(VertexInput::uv0, 4, offsetof(LineVertex, stroke)),
-                                stream(VertexInput::uv1, 1, offsetof(LineVertex, fold_rad))};
+                                stream(VertexInput::uv1, 1, offsetof(LineVertex, fold_rad)),
+                                stream(VertexInput::colour, 4, offsetof(LineVertex, crowding))};
     buffer.as_quads = GpuVertexArray(streams, &indices.quads());
     buffer.as_ends = GpuVertexArray(streams, &indices.ends());
     return buffer;
 }
 
-void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class,
+void append_line(std::vector<LineVertex>& vertices, const std::array<glm::vec3, 2>& ends, LineClass line_class,
                  const LineSides& sides, float fold_rad)
 {
-    const LineVertex from{a, b, static_cast<float>(line_class), sides.normal_a, sides.normal_b, {}, fold_rad};
-    const LineVertex to{b, a, static_cast<float>(line_class), sides.normal_a, sides.normal_b, {}, fold_rad};
+    const auto& [a, b] = ends;
+    const LineVertex from{a, b, static_cast<float>(line_class), sides.normal_a, sides.normal_b, {}, fold_rad, {}};
+    const LineVertex to{b, a, static_cast<float>(line_class), sides.normal_a, sides.normal_b, {}, fold_rad, {}};
     vertices.insert(vertices.end(), {from, from, to, to});
+}
+
+void set_crowding(std::vector<LineVertex>& vertices, const glm::vec4& at_a, const glm::vec4& at_b)
+{
+    LineVertex* const line = &vertices[vertices.size() - 4];
+    line[0].crowding = line[1].crowding = at_a;
+    line[2].crowding = line[3].crowding = at_b;
 }
 
 LineMesh build_line_mesh(const Surface& surface, float crease_rad, const LineExtras& extras, bool is_culled,
@@ -185,7 +211,7 @@ LineMesh build_line_mesh(const Surface& surface, float crease_rad, const LineExt
     set_strokes(builder.vertices);
     LineMesh mesh;
     mesh.crease_rad = crease_rad;
-    mesh.mean_length = static_cast<float>(builder.length_sum / std::max(builder.line_count(), 1u));
+    add_crowding(surface, extras, builder.vertices, mesh);
     indices.reserve(builder.line_count());
     mesh.buffer = make_line_buffer(indices);
     mesh.buffer.vertices.stream(std::as_bytes(std::span(builder.vertices)));

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/line_crowding.hpp"
 #include "geometry/seams.hpp"
 #include "geometry/surface.hpp"
 #include "gl/gpu_buffer.hpp"
@@ -26,6 +27,7 @@ struct LineVertex {
     glm::vec3 normal_b;
     glm::vec4 stroke;  ///< Length along the stroke at this end and at the other, LineStroke's length and seed.
     float fold_rad;
+    glm::vec4 crowding;  ///< LineCrowding at this end.
 };
 
 /// The normals beside a line; zero by default.
@@ -58,8 +60,12 @@ struct LineBuffer {
 
 LineBuffer make_line_buffer(const LineIndices& indices);
 
-void append_line(std::vector<LineVertex>& vertices, const glm::vec3& a, const glm::vec3& b, LineClass line_class,
+/// A line with nothing but its place and class.
+void append_line(std::vector<LineVertex>& vertices, const std::array<glm::vec3, 2>& ends, LineClass line_class,
                  const LineSides& sides = {}, float fold_rad = 0.0f);
+
+/// Writes the crowding at both ends of the last line.
+void set_crowding(std::vector<LineVertex>& vertices, const glm::vec4& at_a, const glm::vec4& at_b);
 
 /// The lines of one surface that are drawn from every viewpoint. Ridges and valleys stand by falling fold, so that a
 /// larger crease angle draws the beginning of their runs.
@@ -73,8 +79,9 @@ struct LineMesh {
     };
     LineBuffer buffer;
     std::vector<Run> runs;
-    float crease_rad = 0.0f;   ///< The smallest angle that it serves.
-    float mean_length = 0.0f;  ///< Of its lines, object space.
+    float crease_rad = 0.0f;          ///< The smallest angle that it serves.
+    float crowding_window = 1.0f;     ///< LineCrowding::window()
+    std::vector<glm::vec4> crowding;  ///< LineCrowding at each position of the surface, when silhouettes may need it.
 };
 
 /// What an object's neighbours change of its lines.

@@ -10,12 +10,21 @@ namespace hw {
 enum class LineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
 inline constexpr int kLineClassCount = 6;
 
-/// How far objects keep from turning black: lines fade once the edges of an object project closer together than this.
+/// How far objects keep from turning black: where lines of an object come closer together on the screen than
+/// `full_spacing_px`, they are drawn the thinner the closer they are, as many of them with as much ink as one: the tone
+/// of what is far stays that of lines so far apart. Lines inside of an object, both of whose faces are seen, go first
+/// and leave its outline. Logical pixels.
 struct FarPolicy {
     bool is_on = true;
-    float full_spacing_px = 6.0f;  ///< Mean projected edge length from which lines are drawn in full.
-    float none_spacing_px = 1.0f;  ///< ... and below which they are gone, the silhouette apart.
+    float full_spacing_px = 6.0f;  ///< Above 0.
+    float none_spacing_px = 2.0f;  ///< Lines inside of an object that are closer are gone; below full_spacing_px.
 };
+
+/// The policy with inner lines gone at a third of the spacing.
+inline FarPolicy far_policy(bool is_on, float full_spacing_px)
+{
+    return {is_on, full_spacing_px, full_spacing_px / 3.0f};
+}
 
 /// How a hand departs from a ruler; all zero: ruled lines. Lengths are logical pixels. Creases, borders, artist's edges
 /// and intersections go by the length along the stroke on the object and a seed of the place where it begins;

@@ -165,28 +165,116 @@ TEST_F(lines, crossing_the_near_plane_run_on_to_the_edge_of_the_picture)
     }
 }
 
-TEST_F(lines, far_objects_do_not_turn_black)
+/// Upright bars, 4 cm from one to the next.
+MeshData comb_mesh(int teeth)
 {
     MeshData comb = box_mesh({0.02f, 1.0f, 0.02f});
     const MeshData tooth = comb;
-    for (int i = 1; i < 60; ++i) {
+    for (int i = 1; i < teeth; ++i) {
         const auto first = static_cast<std::uint32_t>(comb.positions.size());
-        for (const glm::vec3& p : tooth.positions) comb.positions.push_back(p + glm::vec3(0.04f * i, 0.0f, 0.0f));
+        for (const glm::vec3& p : tooth.positions)
+            comb.positions.push_back(p + glm::vec3(0.04f * static_cast<float>(i), 0.0f, 0.0f));
         comb.normals.insert(comb.normals.end(), tooth.normals.begin(), tooth.normals.end());
         for (const std::uint32_t index : tooth.indices) comb.indices.push_back(first + index);
     }
-    add_object(scene_, comb, kHere, painted(glm::vec3(1.0f)));
+    return comb;
+}
+
+TEST_F(lines, of_near_objects_are_drawn_in_full_by_the_far_policy)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    const View view = view_from({1.6, 1.4, 2.0}, {0, 0, 0});
     load(style_);
-    const View view = view_from({1.2, 0.3, 60.0}, {1.2, 0, 0});
-    const double crowded = ink(draw_with(LinePath::quads, view));
-    style_.look->far = {.is_on = true, .full_spacing_px = 12.0f, .none_spacing_px = 2.0f};
+    const double all_of_it = ink(draw_with(LinePath::quads, view));
+    style_.look->far = {};
     load(style_);
-    EXPECT_LT(ink(draw_with(LinePath::quads, view)), 0.6 * crowded);
-    const View close = view_from({1.2, 0.3, 1.5}, {1.2, 0, 0});
-    const double full = ink(draw_with(LinePath::quads, close));
-    style_.look->far.is_on = false;
+    EXPECT_NEAR(ink(draw_with(LinePath::quads, view)) / all_of_it, 1.0, 0.03);
+}
+
+TEST_F(lines, far_objects_do_not_turn_black)
+{
+    add_object(scene_, comb_mesh(60), kHere, painted(glm::vec3(1.0f)));
+    style_.look->far = {};
     load(style_);
-    EXPECT_NEAR(full / ink(draw_with(LinePath::quads, close)), 1.0, 0.02) << "near ones are drawn in full";
+    // Lines of 2 px that never come closer than 6 px cover a third.
+    for (const double z : {4.0, 10.0, 25.0, 60.0}) {
+        const double tone = ink(draw_with(LinePath::quads, view_from({1.2, 0, z}, {1.2, 0, 0})));
+        const double px_per_m = 120.0 / std::tan(0.5236) / z;
+        EXPECT_LT(tone / ((2.38 * px_per_m + 2.0) * (1.0 * px_per_m + 2.0)), 0.45) << z;
+        EXPECT_GT(tone, 1.0) << z << ": it does not vanish";
+    }
+}
+
+TEST_F(lines, fade_with_the_distance_without_a_step)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    style_.look->far = {};
+    load(style_);
+    double before = 0.0;
+    for (double z = 4.0; z < 60.0; z *= 1.03) {
+        const double now = ink(draw_with(LinePath::quads, view_from({0.61 * z, 0.43 * z, z}, {0, 0, 0})));
+        if (before > 0.0) {
+            EXPECT_LT(std::abs(now / before - 1.0), 0.15) << z;
+        }
+        before = now;
+    }
+}
+
+TEST_F(lines, inside_of_a_far_object_go_before_its_outline)
+{
+    // A tile with a grid of grooves on its front: the rim is an outline, the grooves are not.
+    MeshData tile;
+    constexpr int kGrooves = 24;
+    for (int i = 0; i <= kGrooves; ++i)
+        for (int k = 0; k <= 1; ++k)
+            tile.positions.emplace_back(2.0f * i / kGrooves - 1.0f, k - 0.5f, i % 2 ? 0.03f : 0.0f);
+    for (std::uint32_t i = 0; i < kGrooves; ++i) {
+        const std::uint32_t at = 2 * i;
+        for (const std::uint32_t corner : {at, at + 2, at + 1, at + 1, at + 2, at + 3}) tile.indices.push_back(corner);
+    }
+    tile.normals.assign(tile.positions.size(), glm::vec3(0, 0, 1));
+    add_object(scene_, tile, kHere, painted(glm::vec3(1.0f)));
+    style_.look->crease_rad = 0.3f;
+    style_.look->far = {};
+    load(style_);
+    const Pixels far = draw_with(LinePath::quads, view_from({0, 0, 16}, {0, 0, 0}));
+    keep_picture(far, "lines_far_tile");
+    // Of 26 x 13 px: in the middle of it is no ink, around it is.
+    double inside = 0.0;
+    for (int x = 153; x < 167; ++x) inside += 1.0 - std::pow(far.at(x, 120)[0] / 255.0, 2.2);
+    EXPECT_LT(inside / 14.0, 0.04);
+    EXPECT_GT(ink(far), 4.0);
+}
+
+TEST_F(lines, in_many_pieces_add_up_to_the_line_when_they_are_light)
+{
+    // One long bar, whole and in 400 slices.
+    const auto bar = [](int slices) {
+        MeshData mesh;
+        for (int i = 0; i <= slices; ++i)
+            for (int k = 0; k <= 1; ++k)
+                mesh.positions.emplace_back(2.0f * static_cast<float>(i) / static_cast<float>(slices) - 1.0f,
+                                            0.4f * static_cast<float>(k), 0.0f);
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(slices); ++i) {
+            const std::uint32_t at = 2 * i;
+            for (const std::uint32_t corner : {at, at + 2, at + 1, at + 1, at + 2, at + 3})
+                mesh.indices.push_back(corner);
+        }
+        mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 0, 1));
+        return mesh;
+    };
+    style_.look->width_px.fill(0.3f);
+    const View view = view_from({0.1, 0.3, 2.6}, {0.05, 0.2, 0});
+    for (const int samples : {1, 4}) {
+        scene_ = {};
+        add_object(scene_, bar(1), kHere, painted(glm::vec3(1.0f)));
+        load(style_);
+        const double whole = ink(draw_with(LinePath::quads, view, samples));
+        scene_ = {};
+        add_object(scene_, bar(400), kHere, painted(glm::vec3(1.0f)));
+        load(style_);
+        EXPECT_NEAR(ink(draw_with(LinePath::quads, view, samples)) / whole, 1.0, 0.08) << samples;
+    }
 }
 
 TEST_F(lines, presence_thins_them)

@@ -8,12 +8,15 @@ in vec4 hw_in_other;  // xyz the other end, w class
 in vec3 hw_in_normal;   // of the faces beside the line; zero: drawn whatever they do
 in vec3 hw_in_tangent;
 in float hw_in_uv1;  // the fold at the line, radians
+in vec4 hw_in_colour;  // how crowded lines are here: LineCrowding
 
 uniform mat4 hw_relative_from_object;
 uniform vec3 hw_line_eye_object;
 uniform float hw_line_width_px[6];  // device pixels, by class
 uniform vec3 hw_line_colour[6];     // linear
-uniform vec4 hw_line_fade;          // x mean length of the object's lines (metres), y none and z full spacing (px), w on
+// x width of the window of pixels that shall hold one line, 0: lines never fade; y smallest window of the crowding,
+// metres; z share of the width at which lines inside of an object are gone
+uniform vec3 hw_line_fade;
 uniform vec3 hw_line_fold;          // x how much lesser folds thin creases, y the least fold, z from which on they are whole
 uniform vec2 hw_line_taper;         // x strength, y from metres
 
@@ -29,6 +32,36 @@ bool hw_line_is_culled()
 // Silhouettes and borders: the surface ends or turns away there.
 float hw_line_is_contour(int line_class) { return line_class == 0 || line_class == 3 ? 1.0 : 0.0; }
 
+// The share of its width that a line keeps among others: crowded_share() of geometry/line_crowding.hpp.
+float hw_crowded_share(float windows)
+{
+    float scale = 0.5 * log2(max(windows, 1e-20));
+    vec4 at = hw_in_colour;
+    float lines = at.x * exp2(4.0 * min(scale, 0.0)) + 2.0 * max(scale - 3.0, 0.0);
+    lines += dot(clamp(scale - vec3(0.0, 1.0, 2.0), 0.0, 1.0), at.yzw - at.xyz);
+    return exp2(-lines);
+}
+
+// 1 where both faces beside the line look at the eye: it is drawn inside of the object. 0 where it is an outline now, or
+// faces are not known. A line that turns from the one to the other does so over some degrees.
+float hw_line_is_inside()
+{
+    vec3 to_eye = hw_line_eye_object - 0.5 * (hw_in_position + hw_in_other.xyz);
+    float facing = min(dot(hw_in_normal, to_eye), dot(hw_in_tangent, to_eye)) / max(length(to_eye), 1e-20);
+    return smoothstep(0.0, 0.2, facing);
+}
+
+// Far away, as many lines as there are in a window get as much ink as one; those inside of an object go first.
+float hw_far_share(int line_class, float distance_m)
+{
+    if (hw_line_fade.x <= 0.0) return 1.0;
+    float px_per_m = hw_exposure_near_far.w > 0.5 ? hw_focal_px : hw_focal_px / max(distance_m, 1e-20);
+    float share = hw_crowded_share(hw_line_fade.x / (px_per_m * hw_line_fade.y));
+    if (hw_line_is_contour(line_class) > 0.5) return share;
+    float inside = clamp((share - hw_line_fade.z) / (1.0 - hw_line_fade.z), 0.0, 1.0);
+    return mix(share, inside, hw_line_is_inside());
+}
+
 // Width in pixels at a point of the line: the presence and the far policy thin lines before they fade, so that the round
 // ends of neighbours never show as dots.
 float hw_line_width_at(int line_class, vec3 relative)
@@ -41,9 +74,6 @@ float hw_line_width_at(int line_class, vec3 relative)
     }
     if (hw_line_taper.x > 0.0 && distance_m > hw_line_taper.y)
         width *= mix(1.0, hw_line_taper.y / distance_m, hw_line_taper.x);
-    if (hw_line_fade.w > 0.5 && line_class != 0) {
-        float spacing_px = hw_line_fade.x * hw_focal_px / max(distance_m, 1e-20);
-        width *= smoothstep(hw_line_fade.y, hw_line_fade.z, spacing_px);
-    }
+    width *= hw_far_share(line_class, distance_m);
     return width;
 }

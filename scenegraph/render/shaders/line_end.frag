@@ -20,6 +20,7 @@ void main()
 #ifdef HW_ROUND_POINT
     float distance_px = length(gl_PointCoord - 0.5) * (hw_v_line_colour.w + 1.0);
     coverage *= clamp(0.5 + 0.5 * hw_v_line_colour.w - distance_px, 0.0, 1.0);
+    coverage *= smoothstep(0.7, 1.0, hw_v_share);  // on light lines ends would be dark dots
 #endif
     if (coverage <= 0.0) discard;
     hw_fragment = vec4(hw_v_line_colour.rgb, coverage);

@@ -18,6 +18,9 @@ flat in highp vec3 hw_v_stroke_from;   // place on the object over w
 flat in highp vec3 hw_v_stroke_to;
 #endif
 
+// Of the pixel around a place along the line, how much of its length lies between the line's ends.
+float hw_length_in_pixel(float x, vec2 ends) { return clamp(min(x + 0.5, ends.y) - max(x - 0.5, ends.x), 0.0, 1.0); }
+
 void main()
 {
     float at = clamp(hw_v_line.x, 0.0, hw_v_line_way.x);
@@ -28,6 +31,7 @@ void main()
     if (hw_is_line_hidden(vec3(middle, hw_v_line_depth.x + hw_v_line_way.w * at), hw_v_line_depth.y * 0.5 * across)) discard;
     float half_width = hw_v_line.z;
     float broken = 1.0;
+    vec2 ends = vec2(0.0, hw_v_line_way.x);  // of the stroke, along the line
 #ifdef HW_STROKE
     float share = hw_v_line_way.x > 1e-6 ? at / hw_v_line_way.x : 0.0;
     float inverse_w = mix(hw_v_stroke.z, hw_v_stroke.w, share);
@@ -39,7 +43,8 @@ void main()
         float arc = mix(hw_v_stroke.x, hw_v_stroke.y, share) / inverse_w;
         float forward = hw_v_stroke.y * hw_v_stroke.z >= hw_v_stroke.x * hw_v_stroke.w ? 1.0 : -1.0;
         off_middle.y -= forward * hw_stroke_stray(arc, hw_v_stroke_whole.y, px_per_unit);
-        off_middle.x = hw_v_line.x - clamp(hw_v_line.x, -hw_v_stroke_whole.z, hw_v_line_way.x + hw_v_stroke_whole.w);
+        ends += vec2(-hw_v_stroke_whole.z, hw_v_stroke_whole.w);
+        off_middle.x = hw_v_line.x - clamp(hw_v_line.x, ends.x, ends.y);
         if (hw_stroke_px.w > 0.0 && hw_v_stroke_whole.x > 0.0) {
             float end_px = max(min(arc, hw_v_stroke_whole.x - arc), 0.0) * px_per_unit;
             half_width *= mix(0.3, 1.0, smoothstep(0.0, hw_stroke_px.w, end_px));
@@ -47,7 +52,6 @@ void main()
         if (hw_stroke_dash.x > 0.0) broken = hw_stroke_dash_at(arc, hw_v_stroke_whole.y, px_per_unit);
     }
 #endif
-    float distance_px = length(off_middle);
 #ifdef HW_PRESENCE
     half_width *= hw_presence_at(hw_v_line_height.x / hw_v_line_height.y);
 #endif
@@ -55,7 +59,11 @@ void main()
     float drawn = max(half_width, 0.5);
     // The round ends lack the soft rim: where lines join, rims would lie upon each other and darken.
     float rim = off_middle.x == 0.0 ? 0.5 : 0.0;
-    float coverage = clamp(rim + drawn - distance_px, 0.0, 1.0) * min(2.0 * half_width, 1.0) * broken;
+    float round_pen = clamp(rim + drawn - length(off_middle), 0.0, 1.0);
+    // Light lines would darken wherever their ends lie on each other, and far away they are nothing but ends: such a line
+    // leaves in each pixel what it has of length there, so that pieces of a line add up to the line.
+    float hair = clamp(0.5 + drawn - abs(off_middle.y), 0.0, 1.0) * hw_length_in_pixel(hw_v_line.x, ends);
+    float coverage = mix(hair, round_pen, smoothstep(0.35, 0.5, half_width)) * min(2.0 * half_width, 1.0) * broken;
     if (coverage <= 0.0) discard;
     hw_fragment = vec4(hw_v_line_colour, coverage);
 }

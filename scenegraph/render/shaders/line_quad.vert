@@ -84,7 +84,7 @@ void main()
     int corner = gl_VertexID & 3;
     float side = (corner & 1) == 0 ? 1.0 : -1.0;
     float is_end = corner < 2 ? 0.0 : 1.0;
-    vec2 reach = vec2(0.5 * widest + 1.0);  // along and across
+    vec2 reach = vec2(0.5 * max(width, 1.0) + 1.0);  // along and across
 #ifdef HW_STROKE
     vec2 cut = vec2(distance(own, own_unclipped), distance(other, other_unclipped)) /
                max(distance(own_unclipped, other_unclipped), 1e-20);
