@@ -16,7 +16,7 @@ endfunction()
 
 hatchway_share(shaders scenegraph/render/shaders "*.glsl" "*.vert" "*.frag")
 hatchway_share(new_style editor_tools/new_style "*.in")
-hatchway_share(levels content/levels "*.json")
+hatchway_share(levels content/levels "*.json" "*.lightmap")
 hatchway_share(models content/models "*.glb")
 hatchway_share(maps content/maps "*.json" "*.png")
 

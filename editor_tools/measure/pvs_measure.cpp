@@ -7,10 +7,8 @@
 #include <mutex>
 #include <random>
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "measure/pvs_rays.hpp"
+#include "measure/share_work.hpp"
 
 namespace hw::measure {
 namespace {
@@ -182,14 +180,11 @@ PvsRayResult measure_pvs(const Scene& scene, std::span<const MeshChunks> chunks_
     const std::uint64_t batches = (places + kPlacesOfBatch - 1) / kPlacesOfBatch;
     Tally all;
     std::mutex mutex;  // sums and unions: the order of batches changes nothing but which examples are kept
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(std::uint64_t{0}, batches, [&](std::uint64_t batch) {
-            const std::uint64_t wanted = std::min(kPlacesOfBatch, places - batch * kPlacesOfBatch);
-            const Tally tally = shooter.shoot(options.seed * 0x9e3779b97f4a7c15ull + batch, wanted);
-            const std::lock_guard lock(mutex);
-            all.add(tally);
-        });
+    share_work(batches, static_cast<unsigned>(options.threads), [&](std::size_t batch) {
+        const std::uint64_t wanted = std::min(kPlacesOfBatch, places - batch * kPlacesOfBatch);
+        const Tally tally = shooter.shoot(options.seed * 0x9e3779b97f4a7c15ull + batch, wanted);
+        const std::lock_guard lock(mutex);
+        all.add(tally);
     });
     compare_shares(visibility, all.truths, triangles_of_slot, all.result);
     return all.result;

@@ -1,13 +1,12 @@
 #include "measure/walk_fuzz.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <thread>
 #include <unordered_set>
 
+#include "measure/share_work.hpp"
 #include "measure/walk_hands.hpp"
 
 namespace hw::measure {
@@ -212,15 +211,9 @@ WalkCounts fuzz_walk(const WalkOracle& oracle, const Walker& walker, const Playe
     if (starts.empty()) return sum;
     std::vector<Walk> walks;
     for (std::uint32_t i = 0; i < options.walks; ++i) walks.emplace_back(oracle, walker, body, starts, options, i);
-    std::atomic<std::size_t> taken{0};
-    const auto run_walks = [&] {
-        for (std::size_t i = taken++; i < walks.size(); i = taken++)
-            walks[i].run(options.inputs * (i + 1) / walks.size() - options.inputs * i / walks.size());
-    };
-    std::vector<std::thread> threads(options.threads > 0 ? options.threads : std::thread::hardware_concurrency());
-    for (std::thread& thread : threads) thread = std::thread(run_walks);
-    for (std::thread& thread : threads) thread.join();
-    run_walks();
+    share_work(walks.size(), options.threads, [&](std::size_t i) {
+        walks[i].run(options.inputs * (i + 1) / walks.size() - options.inputs * i / walks.size());
+    });
     std::unordered_set<std::uint64_t> cells;
     for (const Walk& walk : walks) {
         add(sum, walk.counts);

@@ -19,10 +19,10 @@ namespace hw {
 /// How the potentially visible set is made. Every choice is conservative.
 struct VisibilityOptions {
     PvsEffort effort = PvsEffort::full;
-    int max_structure_polygons = 30000;  ///< The largest planes win; what does not is detail.
+    int max_structure_polygons = 15000;  ///< The largest planes win; what does not is detail.
     int max_detail_polygons = 30000;     ///< Details past this do not block.
     double least_area_share = 1.5e-2;    ///< Least area in one plane, of the largest side of the scene's box.
-    int max_clusters = 4000;             ///< At most, and a seventh of the structure (1000 at least): small ones merge.
+    int max_clusters = 2400;             ///< At most, and a seventh of the structure (1000 at least): small ones merge.
     int max_cells = 300;                 ///< Parts of the merged clusters, for which rows are made.
     double flow_seconds = 10.0;  ///< Rough amount of work, after which portals keep a coarse answer; 0: no limit.
     int threads = 0;             ///< 0: as many as the machine has.
