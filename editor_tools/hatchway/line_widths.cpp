@@ -48,6 +48,18 @@ double insideness(const LineObject& object, std::uint32_t edge, const glm::dvec3
                        std::min(glm::dot(unit_normal(surface, a), to_eye), glm::dot(unit_normal(surface, b), to_eye)));
 }
 
+/// As render's lines have it: linear between the edge's ends.
+glm::vec4 crowding_on_edge(const InkedObject& object, std::uint32_t edge, const glm::vec3& place_object)
+{
+    const Surface& surface = *object.object->surface;
+    const auto [first, second] = edge_vertices(surface, edge);
+    const glm::vec3 a = surface.positions[first], b = surface.positions[second], along = b - a;
+    const LineCrowding& crowding = *object.crowding;
+    const auto ends = crowding_of_line(crowding.at(a), crowding.at(b), crowding.at(0.5f * (a + b)));
+    const float t = glm::dot(place_object - a, along) / std::max(glm::dot(along, along), 1e-30f);
+    return glm::mix(ends[0], ends[1], std::clamp(t, 0.0f, 1.0f));
+}
+
 /// A piece of a line with the width in its middle.
 struct Stretch {
     glm::dvec2 from, to;
@@ -102,16 +114,13 @@ double LineWidths::far_share(const glm::dvec3& place_object, double distance_m, 
     if (!far.is_on || !object.crowding) return 1.0;
     const double window_m = far.full_spacing_px / kFullSpacingInWindows * distance_m / space_.focal_px();
     const double windows = window_m / (object.crowding->window() * object.metres_per_unit);
-    glm::vec4 crowding = object.crowding->at(glm::vec3(place_object));
-    if (edge != kNoEdge && line_class != VisibleLineClass::silhouette) {
-        const Surface& surface = *object.object->surface;
-        const auto [a, b] = edge_vertices(surface, edge);
-        crowding = glm::min(crowding, object.crowding->at(0.5f * (surface.positions[a] + surface.positions[b])));
-    }
+    const glm::vec4 crowding = edge != kNoEdge && line_class != VisibleLineClass::silhouette
+                                   ? crowding_on_edge(object, edge, glm::vec3(place_object))
+                                   : object.crowding->at(glm::vec3(place_object));
     const double share = crowded_share(crowding, static_cast<float>(windows));
     if (line_class == VisibleLineClass::silhouette || line_class == VisibleLineClass::border) return share;
-    const double none = std::min(far.none_spacing_px / far.full_spacing_px, 0.99f);
-    const double inside = std::clamp((share - none) / (1.0 - none), 0.0, 1.0);
+    const double gone = FarPolicy::kInnerGone;
+    const double inside = std::clamp((share - gone) / (1.0 - gone), 0.0, 1.0);
     const glm::dvec3 eye_object(object.object_from_world * glm::dvec4(eye_world_, 1.0));
     return glm::mix(share, inside, insideness(*object.object, edge, eye_object));
 }

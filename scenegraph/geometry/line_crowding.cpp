@@ -19,6 +19,7 @@ constexpr double kMostSamples = 131072.0;  // about: fine meshes get wider windo
 constexpr float kCreaseShare = 0.75f;      // of a crease: from how many places one of its two faces is seen
 constexpr float kTurn = 0.25f;             // share of a smooth edge for each radian of its fold, see crowding_lines()
 constexpr float kScaleStep = 4.0f;
+constexpr float kFreeLines = 2.0f;  // side by side in a window before any is thinned: near views stay whole
 
 /// Weights of three nodes in a row, the middle one closest.
 std::array<float, 3> spline(float off_middle)
@@ -209,10 +210,10 @@ LineCrowding::LineCrowding(std::span<const CrowdingLine> lines)
 glm::vec4 LineCrowding::at(const glm::vec3& place) const
 {
     glm::vec4 result(0.0f);
-    float most = 1.0f;
+    float most = kFreeLines;
     for (std::size_t scale = 0; scale < scales_.size(); ++scale) {
         most = std::max(most, scales_[scale].lines_at(place - origin_));
-        result[static_cast<int>(scale)] = std::log2(most);
+        result[static_cast<int>(scale)] = std::log2(most / kFreeLines);
     }
     return result;
 }
@@ -224,13 +225,21 @@ std::vector<glm::vec4> LineCrowding::at(std::span<const glm::vec3> places) const
     return result;
 }
 
+std::array<glm::vec4, 2> crowding_of_line(const glm::vec4& at_a, const glm::vec4& at_b, const glm::vec4& in_middle)
+{
+    const auto at_end = [&](const glm::vec4& end) { return glm::min(0.5f * (end + in_middle), in_middle); };
+    return {at_end(at_a), at_end(at_b)};
+}
+
+// Between two scales, lines begin to count as late as the larger one allows: their number grows like the window, twice
+// in an octave, or faster where it must.
 float crowded_share(const glm::vec4& crowding, float windows)
 {
     const float scale = 0.5f * std::log2(std::max(windows, 1e-20f));
-    float lines = crowding.x * std::exp2(4.0f * std::min(scale, 0.0f)) + 2.0f * std::max(scale - 3.0f, 0.0f);
-    for (int i = 0; i < 3; ++i)
-        lines += std::clamp(scale - static_cast<float>(i), 0.0f, 1.0f) * (crowding[i + 1] - crowding[i]);
-    return std::exp2(-lines);
+    const int upper = std::clamp(static_cast<int>(std::ceil(scale)), 0, 3);
+    const float least = upper > 0 ? crowding[upper - 1] : 0.0f;
+    const float slope = upper > 0 ? std::max(crowding[upper] - least, 2.0f) : 2.0f;
+    return std::exp2(-std::max(least, crowding[upper] + slope * (scale - static_cast<float>(upper))));
 }
 
 }  // namespace hw

@@ -40,7 +40,8 @@ class LineCrowding {
     /// The smallest window; the others are 4, 16 and 64 times as wide. Object space; above 0.
     float window() const { return window_; }
 
-    /// For each window the logarithm to base 2 of the number of lines across it; 0 for one or none, never falling.
+    /// For each window the logarithm to base 2 of how many times more lines are across it than are drawn in full; 0
+    /// where all are, never falling.
     glm::vec4 at(const glm::vec3& place) const;
 
     /// The same for many places, on all threads.
@@ -74,14 +75,19 @@ class LineCrowding {
     std::vector<Lengths> scales_;
 };
 
+/// From LineCrowding at the ends of a line and in its middle, what the line goes by at its ends, linearly in between:
+/// other lines meet at every end, which must not thin it, and where it ends nothing else may go on, which must not
+/// thicken it.
+std::array<glm::vec4, 2> crowding_of_line(const glm::vec4& at_a, const glm::vec4& at_b, const glm::vec4& in_middle);
+
 /// The share of its width that a line is drawn with where `windows` is how wide a window is on the object, over
-/// LineCrowding::window(): as many lines as there are get as much ink as one. In (0, 1], falling with the distance; for
-/// windows larger than the largest it falls as if the object went on for ever.
+/// LineCrowding::window(): however many lines there are, they get as much ink as the most that are drawn in full. In
+/// (0, 1], falling with the distance; for windows larger than the largest it falls as if the object went on for ever.
 /// shaders/line.glsl does the same.
 float crowded_share(const glm::vec4& crowding, float windows);
 
 /// Of parallel lines on a face that is seen from the front, how far apart they are in windows when all are just drawn
 /// in full.
-inline constexpr float kFullSpacingInWindows = 1.83f;
+inline constexpr float kFullSpacingInWindows = 0.92f;
 
 }  // namespace hw

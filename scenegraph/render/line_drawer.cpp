@@ -193,8 +193,8 @@ void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, c
     GpuProgram::set(program.eye_object, glm::vec3(glm::inverse(item.object->relative_from_object)[3]));
     const float full_px = look.far.full_spacing_px * view.px_scale;
     const float window_px = look.far.is_on ? full_px / kFullSpacingInWindows : 0.0f;
-    GpuProgram::set(program.fade, glm::vec3(window_px, lines.crowding_window * item.object->scale,
-                                            std::min(look.far.none_spacing_px / look.far.full_spacing_px, 0.99f)));
+    GpuProgram::set(program.fade,
+                    glm::vec3(window_px, lines.crowding_window * item.object->scale, FarPolicy::kInnerGone));
     GpuProgram::set(program.stroke_scale, static_cast<float>(item.object->scale));
     set_presence(program.presence_height, program.presence_inverted, *item.item, view.time_s);
     const bool as_quads = program.primitive == Primitive::triangles;

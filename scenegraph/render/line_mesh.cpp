@@ -49,10 +49,10 @@ void add_crowding(const Surface& surface, const LineExtras& extras, std::vector<
         places.insert(places.end(), {a, b, 0.5f * (a + b)});
     }
     const std::vector<glm::vec4> crowds = crowding.at(places);
-    // Other lines meet at every end: a line is no more crowded there than in its middle.
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const std::size_t line = i / 4 * 3;
-        vertices[i].crowding = glm::min(crowds[line + (i % 4 < 2 ? 0 : 1)], crowds[line + 2]);
+    for (std::size_t i = 0; i < vertices.size(); i += 4) {
+        const glm::vec4* const crowd = &crowds[i / 4 * 3];
+        const auto ends = crowding_of_line(crowd[0], crowd[1], crowd[2]);
+        for (std::size_t k = 0; k < 4; ++k) vertices[i + k].crowding = ends[k / 2];
     }
     if (classes_at(surface, lines.crease_rad).candidate_count() > 0) lines.crowding = crowding.at(surface.positions);
 }

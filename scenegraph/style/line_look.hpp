@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "param/param_visitor.hpp"
+
 namespace hw {
 
 /// The kinds of lines a drawing has, each with its own width and colour.
@@ -11,20 +13,22 @@ enum class LineClass : std::uint8_t { silhouette, ridge, valley, border, artist,
 inline constexpr int kLineClassCount = 6;
 
 /// How far objects keep from turning black: where lines of an object come closer together on the screen than
-/// `full_spacing_px`, they are drawn the thinner the closer they are, as many of them with as much ink as one: the tone
-/// of what is far stays that of lines so far apart. Lines inside of an object, both of whose faces are seen, go first
-/// and leave its outline. Logical pixels.
+/// `full_spacing_px`, they are drawn the thinner the closer they are, all of them with as much ink as lines so far
+/// apart: an object keeps that tone however far away it goes. Lines inside of it, both of whose faces are seen, go first
+/// and leave its outline.
 struct FarPolicy {
-    bool is_on = true;
-    float full_spacing_px = 6.0f;  ///< Above 0.
-    float none_spacing_px = 2.0f;  ///< Lines inside of an object that are closer are gone; below full_spacing_px.
-};
+    static constexpr float kInnerGone = 1.0f / 3.0f;  ///< Share of the width at which lines inside are gone.
 
-/// The policy with inner lines gone at a third of the spacing.
-inline FarPolicy far_policy(bool is_on, float full_spacing_px)
-{
-    return {is_on, full_spacing_px, full_spacing_px / 3.0f};
-}
+    bool is_on = true;
+    float full_spacing_px = 4.0f;  ///< Above 0; logical pixels.
+
+    void visit_params(ParamVisitor& visitor)
+    {
+        visitor.flag({"far_thinning", "Thins crowded lines of far objects, so that they do not turn black."}, is_on);
+        visitor.real({"far_spacing_px", "Lines of an object that come closer together than this are thinned."},
+                     full_spacing_px, 1.0f, 40.0f);
+    }
+};
 
 /// How a hand departs from a ruler; all zero: ruled lines. Lengths are logical pixels. Creases, borders, artist's edges
 /// and intersections go by the length along the stroke on the object and a seed of the place where it begins;

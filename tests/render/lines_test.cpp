@@ -166,9 +166,9 @@ TEST_F(lines, crossing_the_near_plane_run_on_to_the_edge_of_the_picture)
 }
 
 /// Upright bars, 4 cm from one to the next.
-MeshData comb_mesh(int teeth)
+MeshData comb_mesh(int teeth, float height)
 {
-    MeshData comb = box_mesh({0.02f, 1.0f, 0.02f});
+    MeshData comb = box_mesh({0.02f, height, 0.02f});
     const MeshData tooth = comb;
     for (int i = 1; i < teeth; ++i) {
         const auto first = static_cast<std::uint32_t>(comb.positions.size());
@@ -182,19 +182,28 @@ MeshData comb_mesh(int teeth)
 
 TEST_F(lines, of_near_objects_are_drawn_in_full_by_the_far_policy)
 {
-    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
-    const View view = view_from({1.6, 1.4, 2.0}, {0, 0, 0});
-    load(style_);
-    const double all_of_it = ink(draw_with(LinePath::quads, view));
-    style_.look->far = {};
-    load(style_);
-    EXPECT_NEAR(ink(draw_with(LinePath::quads, view)) / all_of_it, 1.0, 0.03);
+    struct Case {
+        MeshData mesh;
+        View view;
+    };
+    const Case cases[]{{box_mesh(glm::vec3(1.0f)), view_from({1.6, 1.4, 2.0}, {0, 0, 0})},
+                       {comb_mesh(60, 0.2f), view_from({1.2, 0.1, 0.35}, {1.2, 0, 0})}};
+    for (const Case& c : cases) {
+        scene_ = {};
+        add_object(scene_, c.mesh, kHere, painted(glm::vec3(1.0f)));
+        style_.look->far.is_on = false;
+        load(style_);
+        const double all_of_it = ink(draw_with(LinePath::quads, c.view));
+        style_.look->far = {.full_spacing_px = 6.0f};
+        load(style_);
+        EXPECT_NEAR(ink(draw_with(LinePath::quads, c.view)) / all_of_it, 1.0, 0.02) << c.mesh.positions.size();
+    }
 }
 
 TEST_F(lines, far_objects_do_not_turn_black)
 {
-    add_object(scene_, comb_mesh(60), kHere, painted(glm::vec3(1.0f)));
-    style_.look->far = {};
+    add_object(scene_, comb_mesh(60, 1.0f), kHere, painted(glm::vec3(1.0f)));
+    style_.look->far = {.full_spacing_px = 6.0f};
     load(style_);
     // Lines of 2 px that never come closer than 6 px cover a third.
     for (const double z : {4.0, 10.0, 25.0, 60.0}) {
@@ -207,16 +216,19 @@ TEST_F(lines, far_objects_do_not_turn_black)
 
 TEST_F(lines, fade_with_the_distance_without_a_step)
 {
-    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
-    style_.look->far = {};
-    load(style_);
-    double before = 0.0;
-    for (double z = 4.0; z < 60.0; z *= 1.03) {
-        const double now = ink(draw_with(LinePath::quads, view_from({0.61 * z, 0.43 * z, z}, {0, 0, 0})));
-        if (before > 0.0) {
-            EXPECT_LT(std::abs(now / before - 1.0), 0.15) << z;
+    for (const MeshData& mesh : {box_mesh(glm::vec3(1.0f)), comb_mesh(60, 1.0f)}) {
+        scene_ = {};
+        add_object(scene_, mesh, kHere, painted(glm::vec3(1.0f)));
+        style_.look->far = {.full_spacing_px = 6.0f};
+        load(style_);
+        double before = 0.0;
+        for (double z = 4.0; z < 60.0; z *= 1.03) {
+            const double now = ink(draw_with(LinePath::quads, view_from({0.61 * z, 0.43 * z, z}, {0, 0, 0})));
+            if (before > 0.0) {
+                EXPECT_LT(std::abs(now / before - 1.0), 0.15) << mesh.positions.size() << " at " << z;
+            }
+            before = now;
         }
-        before = now;
     }
 }
 
@@ -235,7 +247,7 @@ TEST_F(lines, inside_of_a_far_object_go_before_its_outline)
     tile.normals.assign(tile.positions.size(), glm::vec3(0, 0, 1));
     add_object(scene_, tile, kHere, painted(glm::vec3(1.0f)));
     style_.look->crease_rad = 0.3f;
-    style_.look->far = {};
+    style_.look->far = {.full_spacing_px = 6.0f};
     load(style_);
     const Pixels far = draw_with(LinePath::quads, view_from({0, 0, 16}, {0, 0, 0}));
     keep_picture(far, "lines_far_tile");

@@ -14,7 +14,7 @@ uniform mat4 hw_relative_from_object;
 uniform vec3 hw_line_eye_object;
 uniform float hw_line_width_px[6];  // device pixels, by class
 uniform vec3 hw_line_colour[6];     // linear
-// x width of the window of pixels that shall hold one line, 0: lines never fade; y smallest window of the crowding,
+// x width in pixels of the window that holds as many lines as are drawn in full, 0: lines never fade; y smallest window of the crowding,
 // metres; z share of the width at which lines inside of an object are gone
 uniform vec3 hw_line_fade;
 uniform vec3 hw_line_fold;          // x how much lesser folds thin creases, y the least fold, z from which on they are whole
@@ -36,10 +36,10 @@ float hw_line_is_contour(int line_class) { return line_class == 0 || line_class 
 float hw_crowded_share(float windows)
 {
     float scale = 0.5 * log2(max(windows, 1e-20));
-    vec4 at = hw_in_colour;
-    float lines = at.x * exp2(4.0 * min(scale, 0.0)) + 2.0 * max(scale - 3.0, 0.0);
-    lines += dot(clamp(scale - vec3(0.0, 1.0, 2.0), 0.0, 1.0), at.yzw - at.xyz);
-    return exp2(-lines);
+    int upper = clamp(int(ceil(scale)), 0, 3);
+    float least = upper > 0 ? hw_in_colour[upper - 1] : 0.0;
+    float slope = upper > 0 ? max(hw_in_colour[upper] - least, 2.0) : 2.0;
+    return exp2(-max(least, hw_in_colour[upper] + slope * (scale - float(upper))));
 }
 
 // 1 where both faces beside the line look at the eye: it is drawn inside of the object. 0 where it is an outline now, or
@@ -51,7 +51,7 @@ float hw_line_is_inside()
     return smoothstep(0.0, 0.2, facing);
 }
 
-// Far away, as many lines as there are in a window get as much ink as one; those inside of an object go first.
+// Far away, all lines in a window get as much ink as the most that are drawn in full; those inside of an object go first.
 float hw_far_share(int line_class, float distance_m)
 {
     if (hw_line_fade.x <= 0.0) return 1.0;
