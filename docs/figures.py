@@ -503,6 +503,8 @@ HYBRID_CONTROLS = {
     "tone_range": [{"white_from": 0.6, "shadow_below": 0.1}, {}, {"white_from": 1, "shadow_below": 0.4, "darkness": 0.8}],
     "light_response": [{"light_response": 0}, {"light_response": 0.5}, {}],
     "hatch_direction": [{"hatch_deg": 0}, {}, {"hatch_direction": "principal", "hatch_deg": 0}],
+    "strokes": [{"spacing_px": 3, "stroke_width_px": 0.5}, {}, {"spacing_px": 9, "stroke_width_px": 1.6, "stroke_length_px": 0}],
+    "ink_map": [{"ink_map_strength": 0}, {"ink_map_detail": 0}, {"ink_map_detail": 2}],
 }
 
 

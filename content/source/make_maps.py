@@ -17,7 +17,7 @@ import strokes  # noqa: E402
 import textures  # noqa: E402
 from png_file import write_gray  # noqa: E402
 
-INK_SIZE = 512
+INK_SIZE = 1024
 GRAY_BELOW = 16                      # texels; smaller ink levels hold the tone alone
 
 
@@ -194,9 +194,10 @@ def _knot(hand, x, y):
 
 
 def ink_levels(drawing):
-    """All levels of an ink map, white = 1. The tone is that of the whole drawing at level 0."""
-    levels = [1.0 - strokes.draw_level(drawing, INK_SIZE)]
-    tone, size = 1.0 - levels[0].mean(), INK_SIZE // 2
+    """All levels of an ink map, white = 1. The two finest hold the whole drawing, the first for eyes that come close; the
+    tone of all others is that of the second."""
+    levels = [1.0 - strokes.draw_level(drawing, size) for size in (INK_SIZE, INK_SIZE // 2)]
+    tone, size = 1.0 - levels[1].mean(), INK_SIZE // 4
     while size >= 1:
         ink = strokes.draw_level(drawing, size, tone) if size >= GRAY_BELOW else np.full((size, size), tone)
         levels.append(1.0 - ink)

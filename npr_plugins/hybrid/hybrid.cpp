@@ -1,7 +1,6 @@
 // Hybrid: one object, photoreal where it is known and ink where it is conjecture.
 #include <array>
 
-#include "style/ink_look.hpp"
 #include "style/style.hpp"
 
 namespace {

@@ -1,7 +1,6 @@
 // Pen and ink: paper faces, lines in object space, and hatching that stays on the object.
 #include <array>
 
-#include "style/ink_look.hpp"
 #include "style/style.hpp"
 
 namespace {

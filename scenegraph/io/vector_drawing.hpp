@@ -25,7 +25,8 @@ struct VectorGroup {
     std::vector<VectorLine> lines;
 };
 
-/// What is drawn of one object. Groups for fills and hatching are to stand before those of its lines.
+/// What is drawn of one object. Hatching is to become groups before those of its lines. Fills are to become a list of
+/// their own in VectorDrawing, below all lines: what is seen of each object, as shapes that do not overlap.
 struct VectorObject {
     std::string name;  ///< As people know it, such as "Hall/Column_03".
     std::vector<VectorGroup> groups;

@@ -4,6 +4,7 @@
 
 #include "param/param_visitor.hpp"
 #include "style/colour.hpp"
+#include "style/ink_look.hpp"
 #include "style/needs.hpp"
 #include "style/pass.hpp"
 #include "style/plugin.hpp"
