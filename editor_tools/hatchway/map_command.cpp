@@ -46,7 +46,7 @@ void check_outputs(const MapArguments& arguments)
     require_writable_folder(arguments.folder, "--out");
     // The preview may lie in the map's own folder, which need not be there yet.
     if (!is_in_folder(arguments.preview, arguments.folder)) require_writable(arguments.preview, "--preview");
-    std::vector<OutputFile> outputs{{"--out", arguments.folder / kMapFile}};
+    std::vector<OutputFile> outputs{{"--out", arguments.folder}, {"--out", arguments.folder / kMapFile}};
     for (std::size_t i = 0; i < kMostLevels; ++i) outputs.push_back({"--out", level_file(arguments.folder, i)});
     outputs.push_back({"--preview", arguments.preview});
     require_distinct(outputs, {arguments.drawing});

@@ -1,21 +1,28 @@
 #include "io/svg_strokes.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/log.hpp"
 
 namespace hw {
 namespace {
 
 constexpr std::uint64_t kMaxBytes = 4ull << 20;
 constexpr std::size_t kMaxStrokes = 100'000;
+constexpr std::size_t kMaxPoints = 200'000;
+constexpr double kMaxLength = 4000.0;  // widths of the drawing: more ink than its paper holds
 constexpr int kCurvePieces = 16;
 
 /// Numbers of a list such as "M 10,20 l-3.5 4": separators are spaces and commas, a sign starts a number.
@@ -213,7 +220,45 @@ Frame frame_of(std::string_view tag, const std::string& file)
     throw Error({.what = "the drawing has no size", .file = file, .expected = "a viewBox, or width and height"});
 }
 
-void add_strokes(SvgDrawing& drawing, std::string_view name, std::string_view tag, const Frame& frame, double& pen,
+/// How much was drawn so far. A drawing from a stranger must not be drawn for hours.
+struct DrawnInk {
+    double length = 0.0;
+    std::size_t points = 0;
+
+    void add(const std::vector<glm::dvec2>& stroke, const std::string& file)
+    {
+        points += stroke.size();
+        for (std::size_t i = 1; i < stroke.size(); ++i) length += glm::distance(stroke[i - 1], stroke[i]);
+        if (points > kMaxPoints || !(length <= kMaxLength))
+            throw Error({.what = "the drawing has too much ink",
+                         .file = file,
+                         .expected = fmt::format("at most {} points and strokes {:.0f} times as long as it is wide",
+                                                 kMaxPoints, kMaxLength)});
+    }
+};
+
+/// Says which shapes and attributes of the drawing are passed over, each once.
+class PassedOver {
+ public:
+    void note(std::string_view name, std::string_view tag)
+    {
+        static constexpr std::string_view kShapes[]{"rect", "circle", "ellipse", "use", "text", "image"};
+        if (std::find(std::begin(kShapes), std::end(kShapes), name) != std::end(kShapes))
+            names_.insert(fmt::format("<{}>", name));
+        if (attribute(tag, "transform")) names_.insert("transform");
+    }
+    void warn(const std::string& file) const
+    {
+        if (!names_.empty())
+            log_warning(fmt::format("{}: {} passed over: only paths, lines and polygons as they stand are strokes", file,
+                                    fmt::join(names_, ", ")));
+    }
+
+ private:
+    std::set<std::string> names_;
+};
+
+void add_strokes(SvgDrawing& drawing, DrawnInk& ink, std::string_view name, std::string_view tag, const Frame& frame, double& pen,
                  const std::string& file)
 {
     for (std::vector<glm::dvec2>& points : strokes_of(name, tag, file)) {
@@ -223,6 +268,7 @@ void add_strokes(SvgDrawing& drawing, std::string_view name, std::string_view ta
                          .file = file,
                          .expected = "at most " + std::to_string(kMaxStrokes)});
         for (glm::dvec2& point : points) point = (point - frame.origin) / frame.size.x;
+        ink.add(points, file);
         const double width = number_of(tag, "stroke-width", 1.0, file);
         if (pen <= 0.0) pen = width > 0.0 ? width : 1.0;
         drawing.strokes.push_back({.points = std::move(points),
@@ -238,6 +284,8 @@ SvgDrawing parse_svg_strokes(const std::string& text, const std::string& file)
 {
     SvgDrawing drawing;
     Frame frame;
+    DrawnInk ink;
+    PassedOver passed_over;
     double pen = 0.0;
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
         if (text.compare(at, 4, "<!--") == 0) {
@@ -249,7 +297,8 @@ SvgDrawing parse_svg_strokes(const std::string& text, const std::string& file)
         const std::string_view tag(text.data() + at, end - at);
         const std::string_view name = tag.substr(1, std::min(tag.find_first_of(" \t\r\n/", 1), tag.size()) - 1);
         if (name == "svg") frame = frame_of(tag, file);
-        if (frame.size.x > 0.0) add_strokes(drawing, name, tag, frame, pen, file);
+        passed_over.note(name, tag);
+        if (frame.size.x > 0.0) add_strokes(drawing, ink, name, tag, frame, pen, file);
         at = end;
     }
     if (frame.size.x <= 0.0)
@@ -257,6 +306,7 @@ SvgDrawing parse_svg_strokes(const std::string& text, const std::string& file)
     if (drawing.strokes.empty())
         throw Error(
             {.what = "the drawing has no strokes", .file = file, .expected = "path, line, polyline or polygon"});
+    passed_over.warn(file);
     drawing.height_share = frame.size.y / frame.size.x;
     return drawing;
 }

@@ -12,11 +12,11 @@ constexpr double kSameDirection = 0.9999985;  // cosine of 0.1 degree
 constexpr double kFlatness = 1e-5;            // of the mesh's size
 constexpr double kNoArea = 1e-14;             // of the square of the mesh's size
 
-struct EdgeUse {
+struct ChartEdge {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
     std::uint32_t triangle = 0;
-    auto operator<=>(const EdgeUse&) const = default;
+    auto operator<=>(const ChartEdge&) const = default;
 };
 
 /// For each vertex the first one at the same position.
@@ -69,15 +69,15 @@ class Triangles {
     template <typename Visit>
     void visit_neighbours(std::uint32_t t, std::uint32_t k, const Visit& visit) const
     {
-        const EdgeUse own = edge(t, k);
-        const EdgeUse least{own.low, own.high, 0};
+        const ChartEdge own = edge(t, k);
+        const ChartEdge least{own.low, own.high, 0};
         for (auto at = std::lower_bound(edges_.begin(), edges_.end(), least);
              at != edges_.end() && at->low == own.low && at->high == own.high; ++at)
             if (at->triangle != t) visit(at->triangle);
     }
 
  private:
-    EdgeUse edge(std::uint32_t t, std::uint32_t k) const
+    ChartEdge edge(std::uint32_t t, std::uint32_t k) const
     {
         const std::uint32_t a = vertex_[mesh_.indices[t * 3 + k]];
         const std::uint32_t b = vertex_[mesh_.indices[t * 3 + (k + 1) % 3]];
@@ -87,7 +87,7 @@ class Triangles {
     const MeshData& mesh_;
     std::vector<std::uint32_t> vertex_;
     std::vector<glm::dvec3> cross_;
-    std::vector<EdgeUse> edges_;
+    std::vector<ChartEdge> edges_;
     double size_ = 0.0;
 };
 

@@ -100,42 +100,68 @@ double largest_side(const Box& box)
     return std::max({s.x * s.y, s.y * s.z, s.z * s.x});
 }
 
+struct FlatPlanes {
+    std::vector<SidePlane> of_polygon;
+    std::vector<double> area;  ///< Of all polygons in the plane of each polygon, by polygon; squares of grid steps.
+};
+
+FlatPlanes planes_of(const std::vector<FlatPolygon>& polygons, Structure& structure)
+{
+    FlatPlanes planes;
+    std::vector<double> area_of_plane;
+    for (const FlatPolygon& flat : polygons) {
+        planes.of_polygon.push_back(structure.planes.add(flat.plane));
+        area_of_plane.resize(static_cast<std::size_t>(structure.planes.size()));
+        area_of_plane[static_cast<std::size_t>(planes.of_polygon.back().plane)] += flat.area;
+    }
+    for (const SidePlane& plane : planes.of_polygon)
+        planes.area.push_back(area_of_plane[static_cast<std::size_t>(plane.plane)]);
+    return planes;
+}
+
+/// Polygons of planes with much area first.
+std::vector<std::size_t> largest_first(const std::vector<FlatPolygon>& polygons, const FlatPlanes& planes)
+{
+    std::vector<std::size_t> order(polygons.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return planes.area[a] != planes.area[b] ? planes.area[a] > planes.area[b]
+                                                : polygons[a].area > polygons[b].area;
+    });
+    return order;
+}
+
+BlockingPolygon blocking_polygon(const FlatPolygon& flat, const SidePlane& plane, bool is_detail, Structure& structure)
+{
+    BlockingPolygon polygon;
+    polygon.polygon = polygon_over_ring(structure.planes, plane.plane, flat.ring);
+    polygon.blocks_from_front = plane.is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
+    polygon.blocks_from_back = plane.is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
+    polygon.is_detail = is_detail;
+    return polygon;
+}
+
 /// The planes of the polygons; the area in each is what counts: a wall may be made of many small panels.
-void choose_polygons(std::vector<FlatPolygon>& polygons, const Level& level, const StructureOptions& options,
+void choose_polygons(const std::vector<FlatPolygon>& polygons, const Level& level, const StructureOptions& options,
                      Structure& structure)
 {
     const double square_m = structure.grid.step_m * structure.grid.step_m;
     const std::vector<int> of_box = box_planes(structure);
-    std::vector<SidePlane> planes;
-    std::vector<double> area_of_plane;
-    for (const FlatPolygon& flat : polygons) {
-        planes.push_back(structure.planes.add(flat.plane));
-        area_of_plane.resize(static_cast<std::size_t>(structure.planes.size()));
-        area_of_plane[static_cast<std::size_t>(planes.back().plane)] += flat.area;
-    }
-    std::vector<std::size_t> order(polygons.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto plane_area = [&](std::size_t i) { return area_of_plane[static_cast<std::size_t>(planes[i].plane)]; };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return plane_area(a) != plane_area(b) ? plane_area(a) > plane_area(b) : polygons[a].area > polygons[b].area;
-    });
+    const FlatPlanes planes = planes_of(polygons, structure);
     const double least = options.least_area_share * structure.scene_side_m2 / square_m;
     const double least_named = 0.1 * least;
     int detail_count = 0;
-    for (const std::size_t i : order) {
-        if (std::find(of_box.begin(), of_box.end(), planes[i].plane) != of_box.end()) continue;
-        const FlatPolygon& flat = polygons[i];
-        const bool may_split = level.structure ? flat.is_named && plane_area(i) >= least_named : plane_area(i) >= least;
+    for (const std::size_t i : largest_first(polygons, planes)) {
+        const SidePlane& plane = planes.of_polygon[i];
+        if (std::find(of_box.begin(), of_box.end(), plane.plane) != of_box.end()) continue;
+        const bool may_split =
+            level.structure ? polygons[i].is_named && planes.area[i] >= least_named : planes.area[i] >= least;
         const bool is_detail = !may_split || structure.structure_count >= options.max_structure;
         if (is_detail && detail_count >= options.max_details) {
             ++structure.left_out;
             continue;
         }
-        BlockingPolygon polygon;
-        polygon.polygon = polygon_over_ring(structure.planes, planes[i].plane, flat.ring);
-        polygon.blocks_from_front = planes[i].is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
-        polygon.blocks_from_back = planes[i].is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
-        polygon.is_detail = is_detail;
+        BlockingPolygon polygon = blocking_polygon(polygons[i], plane, is_detail, structure);
         if (is_detail && may_split)
             structure.demoted_world.push_back(structure.grid.origin_world +
                                               polygon.polygon.corners[0] * structure.grid.step_m);

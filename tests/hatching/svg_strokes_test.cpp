@@ -77,3 +77,16 @@ TEST(svg_strokes, wrong_drawings_are_refused_with_the_reason)
     EXPECT_NE(refusal("<svg viewBox='0 0 1 1'><path d='L'/></svg>").find("a number should follow"), std::string::npos);
     EXPECT_NE(refusal("<svg viewBox='0 0 1e99 1'>").find("is no number"), std::string::npos);
 }
+
+TEST(svg_strokes, more_ink_than_paper_holds_is_refused)
+{
+    const std::string begin = "<svg viewBox='0 0 100 100'>";
+    std::string lines;
+    for (int i = 0; i < 4100; ++i) lines += "<line x2='100'/>";
+    EXPECT_NE(refusal(begin + lines + "</svg>").find("too much ink"), std::string::npos);
+    EXPECT_NE(refusal(begin + "<path d='M0 0 C1e7 -1e7 -1e7 1e7 100 100'/></svg>").find("too much ink"),
+              std::string::npos);
+    std::string points;
+    for (int i = 0; i < 200100; ++i) points += i % 2 ? "0 0 " : "0.1 0 ";
+    EXPECT_NE(refusal(begin + "<polyline points='" + points + "'/></svg>").find("too much ink"), std::string::npos);
+}

@@ -206,15 +206,6 @@ float hw_hatch_map_ink(sampler2D map, vec4 info, float u, vec2 u_d, float spacin
     return hw_map_ink(map, vec2(fract(u * exp2(-shift) * info.x), 0.5), level - shift);
 }
 
-// Where strokes of a finer level lie, each as long as `along`, a texel of the coarser level: what runs in that direction is
-// as slim as the finer level draws it, what crosses it is as wide as in the coarser one.
-float hw_ink_map_slim(sampler2D map, vec2 at, vec2 along, float level)
-{
-    float ink = 0.0;
-    for (float i = -0.375; i < 0.5; i += 0.25) ink = max(ink, hw_map_ink(map, at + i * along, level));
-    return clamp(2.0 * ink, 0.0, 1.0);
-}
-
 // Ink of a 2-D map at `uv` metres, right and up; dx and dy its derivatives in the picture; `info`: hw_ink_info. The level
 // follows the direction in which the map is seen shortest, so that strokes never run together; a second sample along that
 // direction lets it be one level finer where the map is seen at an angle. `detail` takes levels finer by that much: more and
@@ -224,15 +215,11 @@ float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float 
 {
     vec2 to_map = info.x * vec2(1.0, -1.0 / info.y);
     float texels_per_m = info.x * info.z * hw_px_scale;
-    // The ellipse that a pixel covers: squares of its half axes, and the longer one.
-    vec3 shape = vec3(dx.x * dx.x + dy.x * dy.x, dx.x * dx.y + dy.x * dy.y, dx.y * dx.y + dy.y * dy.y);
-    float mean = 0.5 * (shape.x + shape.z);
-    float off = length(vec2(0.5 * (shape.x - shape.z), shape.y));
-    float most = clamp(mean + off, 1e-24, 1e24);
-    float area = dx.x * dy.y - dx.y * dy.x;
-    float least = clamp(area / most * area, 1e-24, 1e24);
-    vec2 axis = shape.x > shape.z ? vec2(shape.x - mean + off, shape.y) : vec2(shape.y, shape.z - mean + off);
-    vec2 longest = axis * hw_inverse_sqrt(max(dot(axis, axis), 1e-24)) * most * hw_inverse_sqrt(most);
+    float long_x = dot(dx, dx);
+    float long_y = dot(dy, dy);
+    vec2 longest = long_x > long_y ? dx : dy;
+    float most = clamp(max(long_x, long_y), 1e-24, 1e24);
+    float least = clamp(min(long_x, long_y), 1e-24, 1e24);
     float angle = most * hw_inverse_sqrt(most) * hw_inverse_sqrt(least);  // texels seen shortest, of those seen longest
     float finer = clamp(angle, 1.0, 2.0);
     float texels = most * hw_inverse_sqrt(most) * texels_per_m;
@@ -246,16 +233,8 @@ float hw_ink_map_ink(sampler2D map, vec4 info, vec2 uv, vec2 dx, vec2 dy, float 
     for (float i = 0.0; i < count; i += 1.0) ink += hw_map_ink(map, at + (2.0 * i - 1.0) * apart, level);
     ink /= count;
     float texel_px = exp2(level) * sqrt(angle) * hw_px_scale / max(texels, 1e-12);
-    float even = clamp(level - info.w + 5.0, 0.0, 1.0);  // 1 where levels hold the tone alone
-    float edge = mix(0.5 / clamp(texel_px, 1.0, 32.0), 0.5, even);
-    float strokes = clamp((ink - 0.5 - 0.23 * grown) / (2.0 * edge) + 0.5, 0.0, 1.0);
-    // Strokes that run away from the eye are as slim as those that cross its way.
-    float deeper = min(clamp(log2(angle / finer), 0.0, 1.0), level);
-    if (deeper > 0.0) {
-        float slim = hw_ink_map_slim(map, at, longest * to_map * exp2(level) / texels, level - deeper);
-        strokes = mix(strokes, min(strokes, slim), clamp(deeper, 0.0, 1.0) * (1.0 - even));
-    }
-    return (1.0 - 0.5 * grown) * strokes;
+    float edge = mix(0.5 / clamp(texel_px, 1.0, 32.0), 0.5, clamp(level - info.w + 5.0, 0.0, 1.0));
+    return (1.0 - 0.5 * grown) * clamp((ink - 0.5 - 0.23 * grown) / (2.0 * edge) + 0.5, 0.0, 1.0);
 }
 
 // Ink of a tonal map at `uv` metres, right and up, for the ink coverage `tone`: the two tones beside it and the two levels
