@@ -1,6 +1,8 @@
 // `hatchway map` and what `info` says of hatching, from outside.
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "io/images.hpp"
@@ -55,6 +57,26 @@ TEST(map_program, filters_only_when_asked_and_refuses_drawings_without_ink)
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, testing::HasSubstr("no ink"));
     EXPECT_THAT(folder.names(), testing::Not(testing::Contains("map")));
+}
+
+TEST(map_program, refuses_a_preview_in_place_of_the_map_and_writes_nothing)
+{
+    const TemporaryFolder folder;
+    const ProgramResult result = run_program({"map", "hatch", "--out", folder / "map", "--preview", folder / "map"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, testing::HasSubstr("--preview"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "map"));
+}
+
+TEST(map_program, names_what_it_passes_over_in_a_drawing)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "wall.svg") << "<svg viewBox='0 0 9 9'><rect width='9'/><g transform='scale(2)'>"
+                                          "<line x1='1' y1='1' x2='8' y2='8'/></g></svg>";
+    const ProgramResult result =
+        run_program({"map", "ink", folder / "wall.svg", "--width", "128", "--out", folder / "map"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, testing::HasSubstr("<rect>, transform passed over"));
 }
 
 TEST(map_program, a_priority_map_is_square)
