@@ -16,15 +16,19 @@ if(HATCHWAY_SANITIZE)
     target_link_options(hatchway_flags INTERFACE -fsanitize=address,undefined)
 endif()
 target_compile_definitions(hatchway_flags INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
-target_include_directories(hatchway_flags INTERFACE "${CMAKE_SOURCE_DIR}/scenegraph")
+# The engine's headers have one name, "hatchway/LAYER/...", in this tree and in an installation.
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/include")
+file(CREATE_LINK "${CMAKE_SOURCE_DIR}/scenegraph" "${CMAKE_BINARY_DIR}/include/hatchway" SYMBOLIC)
+target_include_directories(hatchway_flags INTERFACE "${CMAKE_BINARY_DIR}/include")
 target_link_libraries(hatchway_flags INTERFACE glm::glm fmt::fmt)
 
-# hatchway_layer(NAME [SOURCES ...] [LIBRARIES ...] [HEAVY ...])
-#   One object library hw_NAME, linked into the shared library `hatchway`.
-#   LIBRARIES: third parties of this layer, private to it. HEAVY: headers to precompile for this layer.
+# hatchway_layer(NAME [MADE ...] [LIBRARIES ...] [HEAVY ...])
+#   One object library hw_NAME of all sources below the layer's folder, linked into the shared library `hatchway`.
+#   MADE: generated sources. LIBRARIES: third parties of this layer, private to it. HEAVY: headers to precompile for it.
 function(hatchway_layer name)
-    cmake_parse_arguments(LAYER "" "" "SOURCES;LIBRARIES;HEAVY" ${ARGN})
-    add_library(hw_${name} OBJECT ${LAYER_SOURCES})
+    cmake_parse_arguments(LAYER "" "" "MADE;LIBRARIES;HEAVY" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp")
+    add_library(hw_${name} OBJECT ${sources} ${LAYER_MADE})
     target_link_libraries(hw_${name} PRIVATE hatchway_flags ${LAYER_LIBRARIES})
     target_precompile_headers(hw_${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map>
                               <memory> <optional> <span> <string> <string_view> <unordered_map> <vector>
@@ -32,14 +36,21 @@ function(hatchway_layer name)
     target_link_libraries(hatchway PRIVATE hw_${name} ${LAYER_LIBRARIES})
 endfunction()
 
-# hatchway_test(LAYER SOURCES...): the test binary of one layer, its tests listed one by one in ctest.
+# hatchway_test(NAME [LIBRARIES ...] [LABELS ...] [SOURCES ...]): the test binary of one layer, of all sources below its
+# folder unless SOURCES says which; its tests are listed one by one in ctest.
 function(hatchway_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    if(NOT TEST_SOURCES)
+        file(GLOB_RECURSE TEST_SOURCES CONFIGURE_DEPENDS "*.cpp")
+    endif()
     add_executable(test_${name} ${TEST_SOURCES})
-    target_link_libraries(test_${name} PRIVATE hatchway_flags hatchway GTest::gtest_main GTest::gmock ${TEST_LIBRARIES})
+    target_link_libraries(test_${name} PRIVATE hatchway_flags hatchway hatchway_measure GTest::gtest_main GTest::gmock
+                          ${TEST_LIBRARIES})
     target_compile_definitions(test_${name} PRIVATE
         HATCHWAY_SOURCE_DIR="${CMAKE_SOURCE_DIR}" HATCHWAY_BUILD_DIR="${CMAKE_BINARY_DIR}")
-    target_include_directories(test_${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests")
+    target_include_directories(test_${name} PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/editor_tools")
+    target_precompile_headers(test_${name} PRIVATE <gtest/gtest.h> <gmock/gmock.h> <filesystem> <functional> <map> <set>
+                              <span> <string> <vector> <glm/glm.hpp>)
     gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES LABELS "${name};${TEST_LABELS}" TIMEOUT 300)
 endfunction()

@@ -28,13 +28,13 @@ install(EXPORT hatchway_targets NAMESPACE hatchway:: DESTINATION ${package_folde
 export(EXPORT hatchway_targets NAMESPACE hatchway:: FILE "${build_package_folder}/hatchway_targets.cmake")
 
 # The headers that style/style.hpp shows to a style, and hw::Error.
-foreach(header core/box core/error core/pixels geometry/mesh_data geometry/hatch_coordinates world/presence world/scene)
-    get_filename_component(layer ${header} DIRECTORY)
-    install(FILES scenegraph/${header}.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hatchway/${layer}
+include(style_headers)
+hatchway_style_headers(style_headers style/style.hpp core/error.hpp)
+foreach(header ${style_headers})
+    get_filename_component(folder ${header} DIRECTORY)
+    install(FILES scenegraph/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hatchway/${folder}
             COMPONENT development)
 endforeach()
-install(DIRECTORY scenegraph/style scenegraph/param DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hatchway
-        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 
 configure_package_config_file(cmake/hatchwayConfig.cmake.in "${build_package_folder}/hatchwayConfig.cmake"
                               INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)

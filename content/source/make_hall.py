@@ -8,7 +8,8 @@ import sys
 import bpy
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+_HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [_HERE, os.path.join(_HERE, 'palace')]
 
 import courtyard  # noqa: E402  (Blender runs this file without its folder on the path)
 import furniture  # noqa: E402

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace hw::measure {
 

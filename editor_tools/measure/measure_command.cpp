@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 
-#include "hatchway/commands.hpp"
 #include "measure/measures.hpp"
+#include "program/commands.hpp"
 
 namespace hw {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace hw::measure {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixels.hpp"
+#include "hatchway/core/pixels.hpp"
 
 namespace hw::measure {
 

@@ -10,10 +10,10 @@
 #include <iostream>
 #include <thread>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
-#include "core/log.hpp"
-#include "hatchway/commands.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/core/log.hpp"
+#include "program/commands.hpp"
 #include "report/report_page.hpp"
 
 namespace hw {

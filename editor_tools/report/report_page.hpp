@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/json_table.hpp"
+#include "hatchway/io/json/table.hpp"
 #include "report/report_plan.hpp"
 
 namespace hw {

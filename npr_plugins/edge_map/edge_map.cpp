@@ -2,7 +2,7 @@
 // Source: Nienhaus, Doellner. Edge-Enhancement. Journal of WSCG 11, 2003, section 4.1.2.
 #include <array>
 
-#include "style/style.hpp"
+#include "hatchway/style/style.hpp"
 
 namespace {
 

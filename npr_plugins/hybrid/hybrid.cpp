@@ -1,7 +1,7 @@
 // Hybrid: one object, photoreal where it is known and ink where it is conjecture.
 #include <array>
 
-#include "style/style.hpp"
+#include "hatchway/style/style.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Pen and ink: paper faces, lines in object space, and hatching that stays on the object.
 #include <array>
 
-#include "style/style.hpp"
+#include "hatchway/style/style.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Photoreal: the model as it was made, with textures, lit by the level's lights.
-#include "style/style.hpp"
+#include "hatchway/style/style.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "core/files.hpp"
+#include "hatchway/core/files.hpp"
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 #include <mutex>
 #include <set>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "core/glob.hpp"
+#include "hatchway/core/glob.hpp"
 
 #include <algorithm>
 #include <string>

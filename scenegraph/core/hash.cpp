@@ -1,4 +1,4 @@
-#include "core/hash.hpp"
+#include "hatchway/core/hash.hpp"
 
 namespace hw {
 

@@ -1,4 +1,4 @@
-#include "geometry/mesh_chunks.hpp"
+#include "hatchway/geometry/mesh_chunks.hpp"
 
 #include <algorithm>
 #include <array>

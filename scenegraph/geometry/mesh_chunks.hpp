@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/box.hpp"
-#include "geometry/mesh_data.hpp"
+#include "hatchway/core/box.hpp"
+#include "hatchway/geometry/mesh_data.hpp"
 
 namespace hw {
 

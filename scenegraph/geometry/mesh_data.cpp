@@ -1,1 +1,1 @@
-#include "geometry/mesh_data.hpp"
+#include "hatchway/geometry/mesh_data.hpp"

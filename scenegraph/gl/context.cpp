@@ -1,10 +1,10 @@
-#include "gl/context.hpp"
+#include "hatchway/gl/context.hpp"
 
 #include <array>
 #include <utility>
 
-#include "core/error.hpp"
-#include "gl/gl_api.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/gl_api.hpp"
 
 namespace hw {
 namespace {

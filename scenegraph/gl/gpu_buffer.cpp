@@ -1,9 +1,9 @@
-#include "gl/gpu_buffer.hpp"
+#include "hatchway/gl/gpu_buffer.hpp"
 
 #include <utility>
 
-#include "core/error.hpp"
-#include "gl/gl_api.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/gl_api.hpp"
 
 namespace hw {
 namespace {

@@ -1,13 +1,13 @@
-#include "gl/gpu_program.hpp"
+#include "hatchway/gl/gpu_program.hpp"
 
 #include <algorithm>
 #include <array>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
-#include "core/error.hpp"
-#include "gl/gl_api.hpp"
-#include "gl/gpu_buffer.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/gl_api.hpp"
+#include "hatchway/gl/gpu_buffer.hpp"
 
 namespace hw {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "gl/shader_text.hpp"
+#include "hatchway/gl/shader_text.hpp"
 
 namespace hw {
 

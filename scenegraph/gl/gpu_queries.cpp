@@ -1,6 +1,6 @@
-#include "gl/gpu_queries.hpp"
+#include "hatchway/gl/gpu_queries.hpp"
 
-#include "gl/gl_api.hpp"
+#include "hatchway/gl/gl_api.hpp"
 
 namespace hw {
 

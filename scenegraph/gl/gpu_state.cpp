@@ -1,7 +1,7 @@
-#include "gl/gpu_state.hpp"
+#include "hatchway/gl/gpu_state.hpp"
 
-#include "core/error.hpp"
-#include "gl/gl_api.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/gl_api.hpp"
 
 namespace hw {
 namespace {

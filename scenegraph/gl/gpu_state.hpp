@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "gl/gpu_buffer.hpp"
-#include "gl/gpu_program.hpp"
+#include "hatchway/gl/gpu_buffer.hpp"
+#include "hatchway/gl/gpu_program.hpp"
 
 namespace hw {
 

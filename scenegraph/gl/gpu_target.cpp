@@ -1,12 +1,12 @@
-#include "gl/gpu_target.hpp"
+#include "hatchway/gl/gpu_target.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <utility>
 
-#include "core/error.hpp"
-#include "gl/texture_format.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/texture_format.hpp"
 
 namespace hw {
 namespace {

@@ -3,8 +3,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "core/pixels.hpp"
-#include "gl/gpu_texture.hpp"
+#include "hatchway/core/pixels.hpp"
+#include "hatchway/gl/gpu_texture.hpp"
 
 namespace hw {
 

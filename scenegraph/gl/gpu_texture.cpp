@@ -1,11 +1,11 @@
-#include "gl/gpu_texture.hpp"
+#include "hatchway/gl/gpu_texture.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
-#include "gl/texture_format.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/texture_format.hpp"
 
 namespace hw {
 namespace {

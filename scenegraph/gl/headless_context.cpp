@@ -1,5 +1,5 @@
 // EGL is linked directly: asking libepoxy for eglGetPlatformDisplay aborts before a display exists.
-#include "gl/gl_api.hpp"
+#include "hatchway/gl/gl_api.hpp"
 //
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -7,8 +7,8 @@
 #include <cstring>
 #include <vector>
 
-#include "core/error.hpp"
-#include "gl/context.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/context.hpp"
 
 namespace hw {
 namespace {

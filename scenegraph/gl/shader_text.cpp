@@ -1,13 +1,13 @@
-#include "gl/shader_text.hpp"
+#include "hatchway/gl/shader_text.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <regex>
 #include <sstream>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
-#include "core/limits.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/core/limits.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -15,10 +15,14 @@ namespace {
 
 constexpr int kMaxIncludeDepth = 16;
 
+/// "ink.glsl" or "lines/line.glsl": no name leads out of the folder that it is looked for in.
 bool is_plain_name(std::string_view name)
 {
-    const auto is_allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
-    return !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), is_allowed);
+    const auto is_allowed = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '/';
+    };
+    return !name.empty() && name.front() != '.' && name.front() != '/' && name.find("/.") == std::string_view::npos &&
+           std::all_of(name.begin(), name.end(), is_allowed);
 }
 
 std::optional<fs::path> find_in(std::span<const fs::path> folders, std::string_view name)

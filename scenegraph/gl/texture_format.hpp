@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gl/gl_api.hpp"
-#include "gl/gpu_texture.hpp"
+#include "hatchway/gl/gl_api.hpp"
+#include "hatchway/gl/gpu_texture.hpp"
 
 namespace hw {
 

@@ -1,6 +1,6 @@
-#include "gl/window.hpp"
+#include "hatchway/gl/window.hpp"
 
-#include "gl/gl_api.hpp"
+#include "hatchway/gl/gl_api.hpp"
 //
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace hw {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "gl/context.hpp"
-#include "gl/input.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/gl/input.hpp"
 
 namespace hw {
 

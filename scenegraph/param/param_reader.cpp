@@ -1,4 +1,4 @@
-#include "param/param_reader.hpp"
+#include "hatchway/param/param_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace hw {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "param/param_value.hpp"
-#include "param/param_visitor.hpp"
+#include "hatchway/param/param_value.hpp"
+#include "hatchway/param/param_visitor.hpp"
 
 namespace hw {
 

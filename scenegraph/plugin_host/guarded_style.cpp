@@ -1,11 +1,11 @@
-#include "plugin_host/guarded_style.hpp"
+#include "hatchway/plugin_host/guarded_style.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "core/log.hpp"
-#include "plugin_host/plugin_call.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/plugin_host/plugin_call.hpp"
 
 namespace hw {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "style/style.hpp"
+#include "hatchway/style/style.hpp"
 
 namespace hw {
 

@@ -1,4 +1,4 @@
-#include "plugin_host/library_file.hpp"
+#include "hatchway/plugin_host/library_file.hpp"
 
 #include <elf.h>
 

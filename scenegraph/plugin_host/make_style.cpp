@@ -1,13 +1,13 @@
-#include "plugin_host/make_style.hpp"
+#include "hatchway/plugin_host/make_style.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "param/param_reader.hpp"
-#include "plugin_host/plugin_call.hpp"
-#include "world/rule_place.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/param/param_reader.hpp"
+#include "hatchway/plugin_host/plugin_call.hpp"
+#include "hatchway/world/rule_place.hpp"
 
 namespace hw {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "param/param_value.hpp"
-#include "plugin_host/plugin_registry.hpp"
-#include "style/style.hpp"
-#include "world/level.hpp"
+#include "hatchway/param/param_value.hpp"
+#include "hatchway/plugin_host/plugin_registry.hpp"
+#include "hatchway/style/style.hpp"
+#include "hatchway/world/level.hpp"
 
 namespace hw {
 

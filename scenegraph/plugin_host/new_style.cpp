@@ -1,14 +1,14 @@
-#include "plugin_host/new_style.hpp"
+#include "hatchway/plugin_host/new_style.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
 #include <system_error>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
-#include "core/limits.hpp"
-#include "plugin_host/plugin_registry.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/core/limits.hpp"
+#include "hatchway/plugin_host/plugin_registry.hpp"
 
 namespace hw {
 namespace {

@@ -1,4 +1,4 @@
-#include "plugin_host/plugin_registry.hpp"
+#include "hatchway/plugin_host/plugin_registry.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
-#include "core/log.hpp"
-#include "plugin_host/library_file.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/plugin_host/library_file.hpp"
 
 namespace hw {
 namespace {

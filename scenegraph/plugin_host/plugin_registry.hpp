@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "style/plugin.hpp"
+#include "hatchway/style/plugin.hpp"
 
 namespace hw {
 

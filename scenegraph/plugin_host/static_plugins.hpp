@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "style/plugin.hpp"
+#include "hatchway/style/plugin.hpp"
 
 namespace hw {
 

@@ -1,13 +1,13 @@
-#include "plugin_host/style_set.hpp"
+#include "hatchway/plugin_host/style_set.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "core/error.hpp"
-#include "core/log.hpp"
-#include "plugin_host/plugin_call.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/plugin_host/plugin_call.hpp"
 
 namespace hw {
 namespace {

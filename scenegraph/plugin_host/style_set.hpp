@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "plugin_host/guarded_style.hpp"
-#include "plugin_host/make_style.hpp"
-#include "render/renderer.hpp"
+#include "hatchway/plugin_host/guarded_style.hpp"
+#include "hatchway/plugin_host/make_style.hpp"
+#include "hatchway/render/renderer.hpp"
 
 namespace hw {
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "gl/gpu_queries.hpp"
-#include "render/edge_store.hpp"
-#include "render/line_drawer.hpp"
-#include "render/shared_images.hpp"
-#include "render/surface_drawer.hpp"
+#include "hatchway/gl/gpu_queries.hpp"
+#include "hatchway/render/device/surface_drawer.hpp"
+#include "hatchway/render/lines/edge_store.hpp"
+#include "hatchway/render/lines/line_drawer.hpp"
+#include "hatchway/render/products/shared_images.hpp"
 
 namespace hw {
 

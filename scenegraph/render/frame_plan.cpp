@@ -1,4 +1,4 @@
-#include "render/frame_plan.hpp"
+#include "hatchway/render/frame_plan.hpp"
 
 namespace hw {
 namespace {

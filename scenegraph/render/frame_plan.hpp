@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "render/renderer.hpp"
-#include "render/visible_set.hpp"
+#include "hatchway/render/view/scene_input.hpp"
+#include "hatchway/render/view/visible_set.hpp"
 
 namespace hw {
 

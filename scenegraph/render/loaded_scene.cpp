@@ -1,9 +1,9 @@
-#include "render/loaded_scene.hpp"
+#include "hatchway/render/loaded_scene.hpp"
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "render/shared_images.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/render/products/shared_images.hpp"
 
 namespace hw {
 namespace {

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "render/edge_store.hpp"
-#include "render/gpu_lightmap.hpp"
-#include "render/gpu_scene.hpp"
-#include "render/renderer.hpp"
-#include "render/shadow_map.hpp"
+#include "hatchway/render/device/gpu_lightmap.hpp"
+#include "hatchway/render/device/gpu_scene.hpp"
+#include "hatchway/render/lines/edge_store.hpp"
+#include "hatchway/render/products/shadow_map.hpp"
+#include "hatchway/render/view/scene_input.hpp"
 
 namespace hw {
 

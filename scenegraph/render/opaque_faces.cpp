@@ -1,4 +1,4 @@
-#include "render/opaque_faces.hpp"
+#include "hatchway/render/opaque_faces.hpp"
 
 namespace hw {
 namespace {

@@ -1,17 +1,17 @@
-#include "render/renderer.hpp"
+#include "hatchway/render/renderer.hpp"
 
 #include <chrono>
 #include <set>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
-#include "gl/context.hpp"
-#include "render/frame_plan.hpp"
-#include "render/loaded_scene.hpp"
-#include "render/opaque_faces.hpp"
-#include "render/overlay_drawer.hpp"
-#include "render/style_pass.hpp"
-#include "world/visibility.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/render/frame_plan.hpp"
+#include "hatchway/render/loaded_scene.hpp"
+#include "hatchway/render/opaque_faces.hpp"
+#include "hatchway/render/overlay/overlay_drawer.hpp"
+#include "hatchway/render/style_pass.hpp"
+#include "hatchway/world/visibility/visibility.hpp"
 
 namespace hw {
 namespace {

@@ -1,77 +1,17 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <memory>
-#include <span>
-#include <string>
 #include <vector>
 
-#include "core/pixels.hpp"
-#include "geometry/mesh_chunks.hpp"
-#include "render/frame_stats.hpp"
-#include "render/overlay.hpp"
-#include "style/style.hpp"
-#include "world/map_levels.hpp"
+#include "hatchway/core/pixels.hpp"
+#include "hatchway/render/view/frame_options.hpp"
+#include "hatchway/render/view/frame_stats.hpp"
+#include "hatchway/render/view/scene_input.hpp"
 
 namespace hw {
 
 class Context;
-struct Lightmap;    // world/lightmap.hpp
-struct Visibility;  // world/visibility.hpp
-
-/// How one object is drawn. Indices point into SceneInput::styles and SceneInput::maps.
-struct StyledObject {
-    int style = kNone;       ///< kNone: the object is not drawn.
-    int over = kNone;        ///< A second style, drawn over the first with `presence`.
-    PresenceField presence;  ///< Of `over`; the first style keeps the rest.
-    float certainty = 1.0f;
-    std::map<MapKind, int> maps;
-};
-
-/// A prepared style. The owner keeps it alive while the renderer may draw with it.
-struct NamedStyle {
-    std::string name;
-    Style* style = nullptr;
-};
-
-/// Makes, sets and prepares the image pass that a key names; null when there is none of that name.
-using ImagePassSource = std::function<std::unique_ptr<ImagePass>(const ImageKey&)>;
-
-/// Everything a level shows. Pointers stay the caller's and must live until the next load().
-struct SceneInput {
-    const Scene* scene = nullptr;
-    std::vector<NamedStyle> styles;
-    std::vector<StyledObject> objects;       ///< One for each of scene->objects.
-    const Visibility* visibility = nullptr;  ///< Null: everything is visible.
-    std::span<const MeshChunks> chunks;      ///< One for each mesh; empty: meshes are drawn whole.
-    const Lightmap* lightmap = nullptr;      ///< Baked light; its stream has been added to the scene's meshes.
-    std::vector<const MapLevels*> maps;      ///< What StyledObject::maps points at.
-    std::map<std::string, int> named_maps;   ///< Needs::maps: a map's name -> index into `maps`.
-    std::vector<Light> lights;
-    float exposure_ev = 0.0f;  ///< EV 100; the picture is scaled by 1 / (1.2 * 2^EV).
-    glm::vec3 background_srgb{1.0f};
-    ImagePassSource image_passes;
-};
-
-enum class LinePath : unsigned char { automatic, native, quads };
-
-/// How far the depth that lines are tested against lies behind the faces, as a polygon offset.
-struct FaceOffset {
-    float factor = 0.75f;
-    float units = 4.0f;
-};
-
-struct FrameOptions {
-    int samples = 4;  ///< 1 or 4.
-    bool use_pvs = true;
-    bool skips_hidden = true;  ///< Leaves objects unshaded that others hide, where that pays. Never changes a pixel.
-    LinePath line_path = LinePath::automatic;
-    FaceOffset line_offset;
-    bool is_timed = false;  ///< Wait for the device after each phase, so that phases can be told apart.
-    Overlay overlay;
-};
 
 /// Draws frames of one scene into a picture of its own. Needs its context to be current in every call.
 class Renderer {

@@ -1,11 +1,11 @@
-#include "render/style_pass.hpp"
+#include "hatchway/render/style_pass.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/log.hpp"
-#include "render/opaque_faces.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/render/opaque_faces.hpp"
 
 namespace hw {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/frame_parts.hpp"
+#include "hatchway/render/frame_parts.hpp"
 
 namespace hw {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "world/presence.hpp"
-#include "world/scene.hpp"
+#include "hatchway/world/presence.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 

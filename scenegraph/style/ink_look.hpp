@@ -4,14 +4,14 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "style/colour.hpp"
-#include "style/needs.hpp"
-#include "style/pass.hpp"
+#include "hatchway/style/colour.hpp"
+#include "hatchway/style/needs.hpp"
+#include "hatchway/style/pass.hpp"
 
 namespace hw {
 
-/// How surfaces are drawn in ink, for styles whose shader includes ink.glsl: parameters, needs and uniforms in one place,
-/// so that every style in ink has the same controls. Lengths are logical pixels, colours sRGB.
+/// How surfaces are drawn in ink, for styles whose shader includes ink.glsl: parameters, needs and uniforms in one
+/// place, so that every style in ink has the same controls. Lengths are logical pixels, colours sRGB.
 struct InkLook {
     int hatch_source = 0;  ///< A HatchSource.
     float spacing_px = 4.5f, stroke_width_px = 0.8f, stroke_length_px = 170.0f, wobble_px = 0.4f;

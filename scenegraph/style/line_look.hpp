@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "param/param_visitor.hpp"
+#include "hatchway/param/param_visitor.hpp"
 
 namespace hw {
 
@@ -14,8 +14,8 @@ inline constexpr int kLineClassCount = 6;
 
 /// How far objects keep from turning black: where lines of an object come closer together on the screen than
 /// `full_spacing_px`, they are drawn the thinner the closer they are, all of them with as much ink as lines so far
-/// apart: an object keeps that tone however far away it goes. Lines inside of it, both of whose faces are seen, go first
-/// and leave its outline.
+/// apart: an object keeps that tone however far away it goes. Lines inside of it, both of whose faces are seen, go
+/// first and leave its outline.
 struct FarPolicy {
     static constexpr float kInnerGone = 1.0f / 3.0f;  ///< Share of the width at which lines inside are gone.
 

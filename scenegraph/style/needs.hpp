@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/hatch_coordinates.hpp"
-#include "param/param_value.hpp"
-#include "param/param_visitor.hpp"
+#include "hatchway/geometry/hatching/hatch_coordinates.hpp"
+#include "hatchway/param/param_value.hpp"
+#include "hatchway/param/param_visitor.hpp"
 
 namespace hw {
 

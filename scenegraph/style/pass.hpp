@@ -9,11 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "style/draw_item.hpp"
-#include "style/line_look.hpp"
-#include "style/needs.hpp"
-#include "style/program_cache.hpp"
-#include "style/view.hpp"
+#include "hatchway/style/draw_item.hpp"
+#include "hatchway/style/line_look.hpp"
+#include "hatchway/style/needs.hpp"
+#include "hatchway/style/program_cache.hpp"
+#include "hatchway/style/view.hpp"
 
 namespace hw {
 

@@ -29,7 +29,7 @@ using PluginFunction = const PluginEntry* (*)();
 
 }  // namespace hw
 
-#include "style/plugin_build.hpp"
+#include "hatchway/style/plugin_build.hpp"
 
 /// Defines a plugin: HW_STYLE(pen_and_ink, "Paper, ink lines and hatching", PenAndInk). Once in a library, outside of
 /// any namespace. add_npr_plugin() gives HW_PLUGIN_SYMBOL.

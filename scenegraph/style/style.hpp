@@ -2,12 +2,12 @@
 
 #include <span>
 
-#include "param/param_visitor.hpp"
-#include "style/colour.hpp"
-#include "style/ink_look.hpp"
-#include "style/needs.hpp"
-#include "style/pass.hpp"
-#include "style/plugin.hpp"
+#include "hatchway/param/param_visitor.hpp"
+#include "hatchway/style/colour.hpp"
+#include "hatchway/style/ink_look.hpp"
+#include "hatchway/style/needs.hpp"
+#include "hatchway/style/pass.hpp"
+#include "hatchway/style/plugin.hpp"
 
 namespace hw {
 

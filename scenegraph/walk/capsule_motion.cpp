@@ -2,7 +2,7 @@
 // everything too steep is a vertical wall, so that slopes neither slow nor launch. And whether something carries is
 // asked of the face behind the touch, not of the touch: a ball that rolls over the edge of a step touches it at a steep
 // angle.
-#include "walk/capsule_motion.hpp"
+#include "hatchway/walk/capsule_motion.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "world/collision.hpp"
+#include "hatchway/world/collision/collision.hpp"
 
 namespace hw {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "gl/window.hpp"
-#include "walk/player.hpp"
+#include "hatchway/gl/window.hpp"
+#include "hatchway/walk/player.hpp"
 
 namespace hw {
 

@@ -1,4 +1,4 @@
-#include "walk/frame_pacing.hpp"
+#include "hatchway/walk/frame_pacing.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace hw {
 namespace {

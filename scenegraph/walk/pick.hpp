@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "world/collision.hpp"
-#include "world/scene.hpp"
+#include "hatchway/world/collision/collision.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 

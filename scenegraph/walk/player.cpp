@@ -1,4 +1,4 @@
-#include "walk/player.hpp"
+#include "hatchway/walk/player.hpp"
 
 #include <algorithm>
 #include <cmath>

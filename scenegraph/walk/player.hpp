@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "walk/capsule_motion.hpp"
-#include "world/collision.hpp"
-#include "world/scene.hpp"
+#include "hatchway/walk/capsule_motion.hpp"
+#include "hatchway/world/collision/collision.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 

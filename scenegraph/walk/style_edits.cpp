@@ -1,11 +1,11 @@
-#include "walk/style_edits.hpp"
+#include "hatchway/walk/style_edits.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <numeric>
 
-#include "core/error.hpp"
-#include "core/glob.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/glob.hpp"
 
 namespace hw {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "world/level.hpp"
+#include "hatchway/world/level.hpp"
 
 namespace hw {
 

@@ -1,10 +1,10 @@
-#include "walk/walk_overlay.hpp"
+#include "hatchway/walk/walk_overlay.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "walk/controls.hpp"
+#include "hatchway/walk/controls.hpp"
 
 namespace hw {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "render/frame_stats.hpp"
-#include "render/overlay.hpp"
+#include "hatchway/render/view/frame_stats.hpp"
+#include "hatchway/render/view/overlay.hpp"
 
 namespace hw {
 

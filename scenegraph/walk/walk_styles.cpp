@@ -1,12 +1,12 @@
-#include "walk/walk_styles.hpp"
+#include "hatchway/walk/walk_styles.hpp"
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
-#include "io/json_out.hpp"
-#include "io/level_edit.hpp"
-#include "io/level_file.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "hatchway/io/level/edit.hpp"
+#include "hatchway/io/level/file.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;

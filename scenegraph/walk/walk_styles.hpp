@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "walk/stage.hpp"
-#include "walk/style_edits.hpp"
+#include "hatchway/stage/stage.hpp"
+#include "hatchway/walk/style_edits.hpp"
 
 namespace hw {
 

@@ -1,4 +1,4 @@
-#include "walk/world_lines.hpp"
+#include "hatchway/walk/world_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <numeric>
 
-#include "world/convex_cell.hpp"
+#include "hatchway/world/visibility/tree/convex_cell.hpp"
 
 namespace hw {
 namespace {

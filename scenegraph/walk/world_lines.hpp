@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "render/overlay.hpp"
-#include "style/view.hpp"
-#include "walk/level_world.hpp"
-#include "world/leak.hpp"
+#include "hatchway/render/view/overlay.hpp"
+#include "hatchway/stage/level_world.hpp"
+#include "hatchway/style/view.hpp"
+#include "hatchway/world/visibility/leak.hpp"
 
 namespace hw {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "world/level.hpp"
-#include "world/scene.hpp"
+#include "hatchway/world/level.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "param/param_value.hpp"
-#include "world/presence.hpp"
-#include "world/scene.hpp"
+#include "hatchway/param/param_value.hpp"
+#include "hatchway/world/presence.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 

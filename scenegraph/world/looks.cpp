@@ -1,9 +1,9 @@
 #include <charconv>
 
-#include "core/error.hpp"
-#include "core/glob.hpp"
-#include "world/level.hpp"
-#include "world/rule_place.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/glob.hpp"
+#include "hatchway/world/level.hpp"
+#include "hatchway/world/rule_place.hpp"
 
 namespace hw {
 namespace {

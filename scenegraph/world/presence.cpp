@@ -1,4 +1,4 @@
-#include "world/presence.hpp"
+#include "hatchway/world/presence.hpp"
 
 #include <algorithm>
 

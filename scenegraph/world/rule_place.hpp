@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "world/level.hpp"
+#include "hatchway/world/level.hpp"
 
 namespace hw {
 

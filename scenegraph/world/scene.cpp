@@ -1,4 +1,4 @@
-#include "world/scene.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 

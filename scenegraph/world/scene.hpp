@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/box.hpp"
-#include "core/pixels.hpp"
-#include "geometry/mesh_data.hpp"
+#include "hatchway/core/box.hpp"
+#include "hatchway/core/pixels.hpp"
+#include "hatchway/geometry/mesh_data.hpp"
 
 namespace hw {
 

@@ -7,9 +7,9 @@
 #include <iostream>
 #include <string_view>
 
-#include "bench/naive_flow.hpp"
-#include "core/error.hpp"
-#include "io/portal_file.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/io/compiled/portal_file.hpp"
+#include "tests/bench/naive_flow.hpp"
 
 namespace hw::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/naive_flow.hpp"
+#include "tests/bench/naive_flow.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "world/pvs.hpp"
+#include "hatchway/world/visibility/rows/pvs.hpp"
 
 namespace hw::bench {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/glob.hpp"
+#include "hatchway/core/glob.hpp"
 
 using hw::glob_matches;
 

@@ -1,10 +1,10 @@
-#include "core/files.hpp"
+#include "hatchway/core/files.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace {
 
@@ -95,7 +95,9 @@ TEST_F(files, links_that_lead_nowhere_stay_unresolved)
 {
     fs::create_symlink(folder_ / "none" / "yet", folder_ / "out");
     fs::create_symlink("old", folder_ / "in");
-    const auto resolve = [&](const char* path) { return hw::resolve_inside(folder_, folder_, path, "level", "/scene"); };
+    const auto resolve = [&](const char* path) {
+        return hw::resolve_inside(folder_, folder_, path, "level", "/scene");
+    };
     EXPECT_EQ(resolve("in"), fs::canonical(folder_) / "old");
     EXPECT_EQ(resolve("new/file"), fs::canonical(folder_) / "new/file");
     for (const char* path : {"out", "out/file"}) EXPECT_THROW(resolve(path), hw::Error) << path;

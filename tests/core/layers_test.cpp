@@ -22,12 +22,50 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"param", {"core"}},
     {"geometry", {"core"}},
     {"world", {"core", "param", "geometry"}},
-    {"io", {"core", "param", "geometry", "world"}},
-    {"style", {"core", "param", "geometry", "world"}},
+    {"maps", {"core", "param", "geometry"}},
+    {"io", {"core", "param", "geometry", "world", "maps"}},
     {"gl", {"core"}},
-    {"render", {"core", "param", "geometry", "world", "style", "gl"}},
-    {"plugin_host", {"core", "param", "geometry", "world", "style", "gl", "render"}},
-    {"walk", {"core", "param", "geometry", "world", "io", "style", "gl", "render", "plugin_host"}},
+    {"style", {"core", "param", "geometry", "world"}},
+    {"drawing", {"core", "param", "geometry", "world", "maps", "style"}},
+    {"render", {"core", "param", "geometry", "world", "maps", "style", "gl", "drawing"}},
+    {"plugin_host", {"core", "param", "geometry", "world", "maps", "style", "gl", "drawing", "render"}},
+    {"stage", {"core", "param", "geometry", "world", "maps", "io", "style", "gl", "drawing", "render", "plugin_host"}},
+    {"walk",
+     {"core", "param", "geometry", "world", "maps", "io", "style", "gl", "drawing", "render", "plugin_host", "stage"}},
+};
+
+/// The rooms of a layer and what each may include of the layer beside itself; "" is the layer's own folder. A layer
+/// that is not named here has no rooms.
+const std::map<std::string, std::map<std::string, std::set<std::string>>> kRooms{
+    {"geometry",
+     {{"", {}},
+      {"exact", {""}},
+      {"surface", {"", "exact"}},
+      {"silhouettes", {"", "exact", "surface"}},
+      {"hatching", {"", "exact", "surface"}},
+      {"lines", {"", "exact", "surface", "silhouettes"}}}},
+    {"world",
+     {{"", {}},
+      {"light", {""}},
+      {"collision", {""}},
+      {"visibility/tree", {""}},
+      {"visibility/rows", {"", "visibility/tree"}},
+      {"visibility", {"", "visibility/tree", "visibility/rows"}}}},
+    {"io",
+     {{"json", {}},
+      {"images", {"json"}},
+      {"drawings", {}},
+      {"level", {"json"}},
+      {"gltf/check", {"json"}},
+      {"gltf", {"json", "images", "gltf/check"}},
+      {"compiled", {"level"}}}},
+    {"render",
+     {{"view", {}},
+      {"device", {"view"}},
+      {"lines", {"view", "device"}},
+      {"overlay", {"view", "device"}},
+      {"products", {"view", "device", "lines"}},
+      {"", {"view", "device", "lines", "overlay", "products"}}}},
 };
 
 /// A third party and the sources that may include it.
@@ -43,7 +81,7 @@ const std::vector<ThirdParty> kThirdParties{
     {"cairo", std::regex(R"(scenegraph/io/.*)")},
     {"png.h", std::regex(R"((scenegraph|tests)/io/.*)")},
     {"jpeglib.h", std::regex(R"((scenegraph|tests)/io/.*)")},
-    {"OpenMesh/", std::regex(R"(scenegraph/geometry/.*|tests/geometry/.*)")},
+    {"OpenMesh/", std::regex(R"(editor_tools/measure/.*|tests/measure/.*)")},
     {"GLFW/", std::regex(R"(scenegraph/gl/.*)")},
     {"EGL/", std::regex(R"(scenegraph/gl/.*)")},
     {"epoxy/", std::regex(R"(scenegraph/gl/.*)")},
@@ -89,16 +127,23 @@ std::vector<Include> includes_below(const std::vector<std::string>& folders)
     return found;
 }
 
+/// "world/scene.hpp" of "hatchway/world/scene.hpp"; empty for what is no header of the engine.
+std::string path_in_engine(const std::string& include_name)
+{
+    static const std::string kPrefix = "hatchway/";
+    return include_name.starts_with(kPrefix) ? include_name.substr(kPrefix.size()) : "";
+}
+
 /// What a style may see: style/style.hpp and everything that it includes.
 std::set<std::string> style_headers()
 {
     std::set<std::string> seen;
-    std::vector<std::string> open{"style/style.hpp"};
+    std::vector<std::string> open{"hatchway/style/style.hpp"};
     while (!open.empty()) {
         const std::string header = open.back();
         open.pop_back();
         if (!seen.insert(header).second) continue;
-        for (const Include& include : includes_of(fs::path("scenegraph") / header))
+        for (const Include& include : includes_of("scenegraph/" + path_in_engine(header)))
             if (include.is_ours) open.push_back(include.name);
     }
     return seen;
@@ -130,10 +175,29 @@ std::set<std::string> private_headers(const std::vector<Include>& includes)
         for (const Include& include : includes) {
             if (!is_header(include.file) || !include.file.starts_with("scenegraph/")) continue;
             const bool shows = include.is_ours ? found.contains(include.name) : !is_public_library(include.name);
-            if (shows) found.insert(include.file.substr(std::string("scenegraph/").size()));
+            if (shows) found.insert("hatchway/" + include.file.substr(std::string("scenegraph/").size()));
         }
     } while (found.size() != known);
     return found;
+}
+
+/// "visibility/rows" of "world/visibility/rows/pvs.hpp".
+std::string room_of(const std::string& file)
+{
+    const std::size_t layer_end = file.find('/');
+    const std::size_t room_end = file.rfind('/');
+    return room_end > layer_end ? file.substr(layer_end + 1, room_end - layer_end - 1) : "";
+}
+
+/// Why a room of a layer may not look into another; empty when it may.
+std::string objection_of_rooms(const std::string& layer, const std::string& room, const std::string& other)
+{
+    if (room == other) return {};
+    const auto rooms = kRooms.find(layer);
+    if (rooms == kRooms.end()) return layer + " has no rooms";
+    const auto found = rooms->second.find(room);
+    if (found == rooms->second.end()) return layer + "/" + room + " is no room";
+    return found->second.contains(other) ? "" : layer + "/" + room + " may not look at " + layer + "/" + other;
 }
 
 /// Why the include is forbidden; empty when it is allowed.
@@ -145,12 +209,15 @@ std::string objection_to(const Include& include, const std::set<std::string>& pr
             return refuse("that library stays in one layer");
 
     const std::string top = first_folder(include.file);
-    const std::string layer = first_folder(include.file.substr(top.size() + 1));
-    if (include.is_ours && privates.contains(include.name) && first_folder(include.name) != layer)
+    const std::string file = include.file.substr(top.size() + 1);
+    const std::string layer = first_folder(file);
+    const std::string other_file = path_in_engine(include.name);
+    const std::string other = first_folder(other_file);
+    if (include.is_ours && privates.contains(include.name) && (top != "scenegraph" || other != layer))
         return refuse("that header shows a third party, which is its own layer's affair");
     if (top == "npr_plugins" && include.is_ours) {
         static const std::set<std::string> kSeen = style_headers();
-        if (include.name.find('/') != std::string::npos && !kSeen.contains(include.name))
+        if (!include.name.ends_with(".glsl") && !kSeen.contains(include.name))
             return refuse("a style sees style/style.hpp and what it includes");
     }
     if (top != "scenegraph") return {};
@@ -158,11 +225,15 @@ std::string objection_to(const Include& include, const std::set<std::string>& pr
     const auto allowed = kAllowed.find(layer);
     if (allowed == kAllowed.end()) return refuse(layer + " is no layer");
     if (include.is_ours) {
-        const std::string other = first_folder(include.name);
+        if (other_file.empty()) return refuse("the engine includes \"hatchway/...\" alone");
         if (other != layer && !allowed->second.contains(other)) return refuse(layer + " may not look at " + other);
+        if (other == layer)
+            if (const std::string why = objection_of_rooms(layer, room_of(file), room_of(other_file)); !why.empty())
+                return refuse(why);
     }
-    const bool touches_files = include.name == "core/files.hpp" || include.name == "fstream";
-    if (touches_files && (layer == "geometry" || layer == "world")) return refuse(layer + " reads no files");
+    const bool touches_files = include.name == "hatchway/core/files.hpp" || include.name == "fstream";
+    if (touches_files && (layer == "geometry" || layer == "world" || layer == "maps"))
+        return refuse(layer + " reads no files");
     return {};
 }
 
@@ -197,25 +268,47 @@ TEST(layers, the_check_reads_includes_at_all)
     const std::vector<Include> found = includes_below({"scenegraph"});
     EXPECT_GT(found.size(), 100u);
     EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const Include& include) { return include.is_ours; }));
-    EXPECT_TRUE(style_headers().contains("param/param_visitor.hpp"));
+    EXPECT_TRUE(style_headers().contains("hatchway/param/param_visitor.hpp"));
+}
+
+TEST(layers, no_folder_holds_more_than_sixteen_concepts)
+{
+    for (const std::string top : {"scenegraph", "npr_plugins", "editor_tools", "tests", "docs", "content/source"}) {
+        std::map<std::string, std::set<std::string>> concepts;
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
+            if (entry.is_regular_file() && entry.path().filename() != "CMakeLists.txt")
+                concepts[fs::relative(entry.path().parent_path(), kRoot).string()].insert(entry.path().stem().string());
+        EXPECT_FALSE(concepts.empty()) << top;
+        for (const auto& [folder, names] : concepts) EXPECT_LE(names.size(), 16u) << folder;
+    }
 }
 
 TEST(layers, each_forbidden_include_is_refused)
 {
-    const std::set<std::string> privates{"io/json_text.hpp", "gl/gl_api.hpp"};
+    const std::set<std::string> privates{"hatchway/io/json/text.hpp", "hatchway/gl/gl_api.hpp"};
     const std::vector<Include> forbidden{
-        {"scenegraph/world/bsp.cpp", "io/level_file.hpp", true},
-        {"scenegraph/style/pass.hpp", "render/renderer.hpp", true},
-        {"scenegraph/gl/context.hpp", "world/scene.hpp", true},
-        {"scenegraph/render/frame.cpp", "epoxy/gl.h", false},
-        {"scenegraph/render/frame.cpp", "gl/gl_api.hpp", true},
-        {"scenegraph/walk/stage.cpp", "io/json_text.hpp", true},
-        {"scenegraph/walk/stage.cpp", "nlohmann/json.hpp", false},
-        {"scenegraph/world/lightmap.cpp", "core/files.hpp", true},
-        {"scenegraph/extra/a.cpp", "core/box.hpp", true},
-        {"npr_plugins/hybrid/hybrid.cpp", "gl/context.hpp", true},
+        {"scenegraph/world/visibility/tree/bsp.cpp", "hatchway/io/level/file.hpp", true},
+        {"scenegraph/style/pass.hpp", "hatchway/render/renderer.hpp", true},
+        {"scenegraph/gl/context.hpp", "hatchway/world/scene.hpp", true},
+        {"scenegraph/render/renderer.cpp", "epoxy/gl.h", false},
+        {"scenegraph/render/renderer.cpp", "hatchway/gl/gl_api.hpp", true},
+        {"scenegraph/stage/stage.cpp", "hatchway/io/json/text.hpp", true},
+        {"scenegraph/stage/stage.cpp", "nlohmann/json.hpp", false},
+        {"scenegraph/stage/stage.cpp", "hatchway/walk/player.hpp", true},
+        {"scenegraph/world/light/lightmap.cpp", "hatchway/core/files.hpp", true},
+        {"scenegraph/extra/a.cpp", "hatchway/core/box.hpp", true},
+        {"scenegraph/world/visibility/visibility.cpp", "hatchway/world/light/lightmap.hpp", true},
+        {"scenegraph/world/scene.cpp", "hatchway/world/visibility/visibility.hpp", true},
+        {"scenegraph/world/visibility/tree/bsp.cpp", "hatchway/world/visibility/rows/pvs.hpp", true},
+        {"scenegraph/geometry/surface/weld.cpp", "hatchway/geometry/lines/seams.hpp", true},
+        {"scenegraph/geometry/hidden/weld.cpp", "hatchway/geometry/mesh_data.hpp", true},
+        {"scenegraph/render/lines/line_drawer.cpp", "hatchway/render/renderer.hpp", true},
+        {"scenegraph/drawing/line_looks.cpp", "hatchway/plugin_host/style_set.hpp", true},
+        {"scenegraph/world/scene.cpp", "world/scene.hpp", true},
+        {"npr_plugins/hybrid/hybrid.cpp", "hatchway/gl/context.hpp", true},
         {"npr_plugins/hybrid/hybrid.cpp", "GLFW/glfw3.h", false},
-        {"editor_tools/hatchway/main.cpp", "nlohmann/json.hpp", false},
+        {"editor_tools/program/main.cpp", "nlohmann/json.hpp", false},
+        {"editor_tools/program/main.cpp", "hatchway/io/json/text.hpp", true},
     };
     for (const Include& include : forbidden)
         EXPECT_NE(objection_to(include, privates), "") << include.file << ' ' << include.name;
@@ -223,16 +316,17 @@ TEST(layers, each_forbidden_include_is_refused)
 
 TEST(layers, each_allowed_include_is_accepted)
 {
-    const std::set<std::string> privates{"io/json_text.hpp", "gl/gl_api.hpp"};
+    const std::set<std::string> privates{"hatchway/io/json/text.hpp", "hatchway/gl/gl_api.hpp"};
     const std::vector<Include> allowed{
-        {"scenegraph/io/level_file.cpp", "nlohmann/json.hpp", false},
-        {"scenegraph/io/level_file.cpp", "io/json_text.hpp", true},
+        {"scenegraph/io/level/file.cpp", "nlohmann/json.hpp", false},
+        {"scenegraph/io/level/file.cpp", "hatchway/io/json/text.hpp", true},
         {"scenegraph/gl/window.cpp", "GLFW/glfw3.h", false},
-        {"scenegraph/gl/gpu_buffer.cpp", "gl/gl_api.hpp", true},
-        {"scenegraph/walk/stage.cpp", "io/level_file.hpp", true},
-        {"scenegraph/render/frame.hpp", "style/style.hpp", true},
-        {"npr_plugins/hybrid/hybrid.cpp", "style/style.hpp", true},
-        {"editor_tools/hatchway/main.cpp", "CLI/CLI.hpp", false},
+        {"scenegraph/gl/gpu_buffer.cpp", "hatchway/gl/gl_api.hpp", true},
+        {"scenegraph/stage/stage.cpp", "hatchway/io/level/file.hpp", true},
+        {"scenegraph/world/visibility/rows/pvs.cpp", "hatchway/world/visibility/tree/bsp.hpp", true},
+        {"scenegraph/render/renderer.hpp", "hatchway/style/style.hpp", true},
+        {"npr_plugins/hybrid/hybrid.cpp", "hatchway/style/style.hpp", true},
+        {"editor_tools/program/main.cpp", "CLI/CLI.hpp", false},
     };
     for (const Include& include : allowed) EXPECT_EQ(objection_to(include, privates), "");
 }
@@ -240,8 +334,8 @@ TEST(layers, each_allowed_include_is_accepted)
 TEST(layers, a_header_that_shows_a_third_party_is_private_and_so_is_one_that_includes_it)
 {
     const std::vector<Include> includes{{"scenegraph/io/text.hpp", "nlohmann/json.hpp", false},
-                                        {"scenegraph/io/reader.hpp", "io/text.hpp", true},
+                                        {"scenegraph/io/reader.hpp", "hatchway/io/text.hpp", true},
                                         {"scenegraph/io/open.hpp", "glm/vec3.hpp", false},
-                                        {"scenegraph/io/open.cpp", "io/text.hpp", true}};
-    EXPECT_EQ(private_headers(includes), (std::set<std::string>{"io/text.hpp", "io/reader.hpp"}));
+                                        {"scenegraph/io/open.cpp", "hatchway/io/text.hpp", true}};
+    EXPECT_EQ(private_headers(includes), (std::set<std::string>{"hatchway/io/text.hpp", "hatchway/io/reader.hpp"}));
 }

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "core/error.hpp"
-#include "io/images.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/io/images/images.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

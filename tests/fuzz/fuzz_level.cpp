@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/error.hpp"
-#include "io/level_edit.hpp"
-#include "io/level_file.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/io/level/edit.hpp"
+#include "hatchway/io/level/file.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/error.hpp"
-#include "core/log.hpp"
-#include "io/gltf_import.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/io/gltf/import.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -1,4 +1,4 @@
-#include "geometry/glb_meshes.hpp"
+#include "tests/geometry/glb_meshes.hpp"
 
 #include <algorithm>
 #include <cstring>

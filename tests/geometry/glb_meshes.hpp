@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/mesh_data.hpp"
+#include "hatchway/geometry/mesh_data.hpp"
 
 namespace hw::test {
 

@@ -1,4 +1,4 @@
-#include "geometry/test_meshes.hpp"
+#include "tests/geometry/test_meshes.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 
-#include "geometry/mesh_data.hpp"
+#include "hatchway/geometry/mesh_data.hpp"
 
 namespace hw::test {
 

@@ -1,11 +1,11 @@
-#include "gl/context.hpp"
+#include "hatchway/gl/context.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
-#include "gl/gpu_target.hpp"
-#include "gl/window.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/gpu_target.hpp"
+#include "hatchway/gl/window.hpp"
 
 namespace hw {
 namespace {

@@ -1,10 +1,10 @@
-#include "gl/gpu_state.hpp"
+#include "hatchway/gl/gpu_state.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "gl/context.hpp"
-#include "gl/gpu_target.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/gl/gpu_target.hpp"
 
 namespace hw {
 namespace {

@@ -1,14 +1,14 @@
-#include "gl/shader_text.hpp"
+#include "hatchway/gl/shader_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "gl/context.hpp"
-#include "gl/gpu_program.hpp"
-#include "temporary_folder.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/gl/gpu_program.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace hw {
 namespace {

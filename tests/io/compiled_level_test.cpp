@@ -1,4 +1,4 @@
-#include "io/compiled_level.hpp"
+#include "hatchway/io/compiled/level.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,11 +7,11 @@
 #include <fstream>
 #include <random>
 
-#include "core/error.hpp"
-#include "core/hash.hpp"
-#include "io/packed_rows.hpp"
-#include "io/portal_file.hpp"
-#include "world/scene_builder.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/hash.hpp"
+#include "hatchway/io/compiled/packed_rows.hpp"
+#include "hatchway/io/compiled/portal_file.hpp"
+#include "tests/world/scene_builder.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 /// Runs `act`, expects hw::Error at a place, and returns its parts for further looks.
 inline hw::ErrorParts error_of(const std::function<void()>& act)

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "io/expect_error.hpp"
-#include "io/images.hpp"
+#include "hatchway/io/images/images.hpp"
+#include "tests/io/expect_error.hpp"
 
 namespace {
 

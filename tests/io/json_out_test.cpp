@@ -1,12 +1,12 @@
-#include "io/json_out.hpp"
+#include "hatchway/io/json/out.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/files.hpp"
-#include "temporary_folder.hpp"
+#include "hatchway/core/files.hpp"
+#include "tests/temporary_folder.hpp"
 
 using hw::JsonValue;
 

@@ -1,9 +1,9 @@
-#include "io/lightmap_file.hpp"
+#include "hatchway/io/compiled/lightmap_file.hpp"
 
 #include <sys/stat.h>
 
-#include "io/expect_error.hpp"
-#include "temporary_folder.hpp"
+#include "tests/io/expect_error.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 

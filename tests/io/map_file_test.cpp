@@ -1,10 +1,10 @@
-#include "io/map_file.hpp"
+#include "hatchway/io/images/map_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "io/expect_error.hpp"
-#include "io/images.hpp"
-#include "temporary_folder.hpp"
+#include "hatchway/io/images/images.hpp"
+#include "tests/io/expect_error.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
-#include "io/portal_file.hpp"
+#include "hatchway/io/compiled/portal_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "hatchway/core/error.hpp"
 
 namespace hw {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
-#include "param/param_reader.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/param/param_reader.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // The edge map as a style sees it: drawn by the renderer, sampled at the fragment's own pixel.
 #include <gtest/gtest.h>
 
-#include "gl/context.hpp"
-#include "plugin_host/style_set.hpp"
-#include "plugin_tests.hpp"
-#include "render/camera_view.hpp"
-#include "render/renderer.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/plugin_host/style_set.hpp"
+#include "hatchway/render/renderer.hpp"
+#include "hatchway/render/view/camera_view.hpp"
+#include "tests/plugin_host/plugin_tests.hpp"
 
 using namespace hw;
 using namespace hw::test;

@@ -1,11 +1,11 @@
-#include "plugin_host/make_style.hpp"
+#include "hatchway/plugin_host/make_style.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "plugin_tests.hpp"
+#include "tests/plugin_host/plugin_tests.hpp"
 
 using namespace hw;
 using namespace hw::test;

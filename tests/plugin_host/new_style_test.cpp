@@ -1,11 +1,11 @@
-#include "plugin_host/new_style.hpp"
+#include "hatchway/plugin_host/new_style.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files.hpp"
-#include "plugin_tests.hpp"
-#include "temporary_folder.hpp"
+#include "hatchway/core/files.hpp"
+#include "tests/plugin_host/plugin_tests.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace hw;
 using namespace hw::test;

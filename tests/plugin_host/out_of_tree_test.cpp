@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/files.hpp"
-#include "plugin_host/make_style.hpp"
-#include "plugin_host/new_style.hpp"
-#include "plugin_tests.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/plugin_host/make_style.hpp"
+#include "hatchway/plugin_host/new_style.hpp"
+#include "tests/plugin_host/plugin_tests.hpp"
 
 using namespace hw;
 using namespace hw::test;

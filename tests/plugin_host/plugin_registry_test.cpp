@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "plugin_tests.hpp"
+#include "tests/plugin_host/plugin_tests.hpp"
 
 using namespace hw;
 using namespace hw::test;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/log.hpp"
-#include "plugin_host/plugin_registry.hpp"
-#include "plugin_host/static_plugins.hpp"
-#include "style/style.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/plugin_host/plugin_registry.hpp"
+#include "hatchway/plugin_host/static_plugins.hpp"
+#include "hatchway/style/style.hpp"
 
 namespace hw::test {
 

@@ -1,9 +1,9 @@
-#include "plugin_host/style_set.hpp"
+#include "hatchway/plugin_host/style_set.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "plugin_tests.hpp"
+#include "tests/plugin_host/plugin_tests.hpp"
 
 using namespace hw;
 using namespace hw::test;

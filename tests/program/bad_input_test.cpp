@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "program/run_program.hpp"
+#include "tests/program/run_program.hpp"
 
 namespace {
 namespace fs = std::filesystem;

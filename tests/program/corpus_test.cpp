@@ -1,7 +1,7 @@
 // Files that strangers made. They lie beside the project, so the tests skip where they are absent.
 #include <gtest/gtest.h>
 
-#include "program/run_program.hpp"
+#include "tests/program/run_program.hpp"
 
 namespace {
 namespace fs = std::filesystem;

@@ -5,11 +5,11 @@
 #include <array>
 #include <iostream>
 
-#include "gl/context.hpp"
-#include "measure/line_error.hpp"
-#include "program/run_program.hpp"
-#include "render/camera_view.hpp"
-#include "walk/stage.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/render/view/camera_view.hpp"
+#include "hatchway/stage/stage.hpp"
+#include "measure/lines/line_error.hpp"
+#include "tests/program/run_program.hpp"
 
 namespace hw::test {
 namespace {

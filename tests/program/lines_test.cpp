@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "program/run_program.hpp"
+#include "tests/program/run_program.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/images.hpp"
-#include "run_program.hpp"
+#include "hatchway/io/images/images.hpp"
+#include "tests/program/run_program.hpp"
 
 namespace hw::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "program/run_program.hpp"
+#include "tests/program/run_program.hpp"
 
 namespace {
 namespace fs = std::filesystem;

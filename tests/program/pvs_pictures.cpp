@@ -1,16 +1,16 @@
-#include "program/pvs_pictures.hpp"
+#include "tests/program/pvs_pictures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <random>
 
-#include "gl/context.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/render/view/camera_view.hpp"
+#include "hatchway/stage/stage.hpp"
+#include "hatchway/stage/whole_scene.hpp"
 #include "measure/picture_difference.hpp"
-#include "program/run_program.hpp"
-#include "render/camera_view.hpp"
-#include "walk/stage.hpp"
-#include "walk/whole_scene.hpp"
+#include "tests/program/run_program.hpp"
 
 namespace hw::test {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "program/pvs_pictures.hpp"
+#include "tests/program/pvs_pictures.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "program/pvs_pictures.hpp"
-#include "program/run_program.hpp"
+#include "tests/program/pvs_pictures.hpp"
+#include "tests/program/run_program.hpp"
 
 TEST(pvs, switching_it_off_changes_no_pixel_of_the_hall)
 {

@@ -1,4 +1,4 @@
-#include "program/run_program.hpp"
+#include "tests/program/run_program.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -4,8 +4,8 @@
 #include <glm/gtc/packing.hpp>
 #include <random>
 
-#include "test_scenes.hpp"
-#include "world/light_layout.hpp"
+#include "hatchway/world/light/layout.hpp"
+#include "tests/render/test_scenes.hpp"
 
 namespace hw::test {
 namespace {

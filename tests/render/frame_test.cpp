@@ -2,8 +2,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/error.hpp"
-#include "test_scenes.hpp"
+#include "hatchway/core/error.hpp"
+#include "tests/render/test_scenes.hpp"
 
 namespace hw::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "test_scenes.hpp"
+#include "tests/render/test_scenes.hpp"
 
 namespace hw::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "render/hatch_map.hpp"
-#include "render/ink_map.hpp"
-#include "render/tonal_map.hpp"
-#include "test_scenes.hpp"
+#include "hatchway/maps/hatch_map.hpp"
+#include "hatchway/maps/ink_map.hpp"
+#include "hatchway/maps/tonal_map.hpp"
+#include "tests/render/test_scenes.hpp"
 
 namespace hw::test {
 namespace {

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/error.hpp"
-#include "temporary_folder.hpp"
-#include "test_scenes.hpp"
+#include "hatchway/core/error.hpp"
+#include "tests/render/test_scenes.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace hw::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/line_strokes.hpp"
+#include "hatchway/render/lines/line_strokes.hpp"
 
 #include <gtest/gtest.h>
 

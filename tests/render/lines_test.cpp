@@ -2,7 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "test_scenes.hpp"
+#include "tests/render/test_scenes.hpp"
 
 namespace hw::test {
 namespace {

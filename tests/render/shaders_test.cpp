@@ -6,10 +6,10 @@
 #include <regex>
 #include <sstream>
 
-#include "core/error.hpp"
-#include "gl/gpu_program.hpp"
-#include "render/program_store.hpp"
-#include "test_scenes.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/gl/gpu_program.hpp"
+#include "hatchway/render/device/program_store.hpp"
+#include "tests/render/test_scenes.hpp"
 
 namespace hw::test {
 namespace {
@@ -54,11 +54,18 @@ std::string text_of(const fs::path& file)
     return text.str();
 }
 
+/// As programs name a shader: from the engine's or the plugin's folder on.
+std::string shader_name(const fs::path& file)
+{
+    const fs::path of_engine = file.lexically_relative(kEngineShaders);
+    return of_engine.string().starts_with("..") ? file.filename().string() : of_engine.string();
+}
+
 /// The vertex stage that a fragment stage goes with.
 std::string vertex_file_for(const fs::path& fragment)
 {
     fs::path own = fragment;
-    if (fs::exists(own.replace_extension(".vert"))) return own.filename().string();
+    if (fs::exists(own.replace_extension(".vert"))) return shader_name(own);
     return text_of(fragment).find("full_screen.glsl") == std::string::npos ? "surface.vert" : "full_screen.vert";
 }
 
@@ -79,9 +86,9 @@ std::vector<std::string> defines_in(const fs::path& folder)
 void compile_folder(const fs::path& folder, bool is_es, int& compiled)
 {
     const std::vector<fs::path> folders{folder, kEngineShaders};
-    for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
+    for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
         if (file.path().extension() != ".frag") continue;
-        const std::string fragment = file.path().filename().string();
+        const std::string fragment = shader_name(file.path());
         for (const std::string& define : defines_in(folder))
             for (const auto& [name, features] : kCombinations) {
                 const std::string defines = feature_defines(features) + define;

@@ -1,4 +1,4 @@
-#include "test_scenes.hpp"
+#include "tests/render/test_scenes.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "io/images.hpp"
+#include "hatchway/io/images/images.hpp"
 
 namespace hw::test {
 namespace {

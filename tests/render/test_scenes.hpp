@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "gl/context.hpp"
-#include "render/camera_view.hpp"
-#include "render/renderer.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/render/renderer.hpp"
+#include "hatchway/render/view/camera_view.hpp"
 
 namespace hw::test {
 

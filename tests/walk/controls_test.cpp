@@ -1,4 +1,4 @@
-#include "walk/controls.hpp"
+#include "hatchway/walk/controls.hpp"
 
 #include <gtest/gtest.h>
 

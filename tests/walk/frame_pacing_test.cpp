@@ -1,4 +1,4 @@
-#include "walk/frame_pacing.hpp"
+#include "hatchway/walk/frame_pacing.hpp"
 
 #include <gtest/gtest.h>
 

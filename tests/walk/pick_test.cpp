@@ -1,4 +1,4 @@
-#include "walk/pick.hpp"
+#include "hatchway/walk/pick.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "walk/player.hpp"
+#include "hatchway/walk/player.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "walk/solids.hpp"
+#include "tests/walk/solids.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "world/collision.hpp"
+#include "hatchway/world/collision/collision.hpp"
 
 namespace hw::test {
 

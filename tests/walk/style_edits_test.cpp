@@ -1,4 +1,4 @@
-#include "walk/style_edits.hpp"
+#include "hatchway/walk/style_edits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "walk/walk_overlay.hpp"
+#include "hatchway/walk/walk_overlay.hpp"
 
 #include <gtest/gtest.h>
 
-#include "walk/controls.hpp"
+#include "hatchway/walk/controls.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // What the author does while walking, on a copy of the paper's prism, with a context but no window.
-#include "walk/walk_styles.hpp"
+#include "hatchway/walk/walk_styles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
-#include "gl/context.hpp"
-#include "io/level_file.hpp"
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/io/level/file.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <random>
 
-#include "io/gltf_import.hpp"
-#include "walk/player.hpp"
+#include "hatchway/io/gltf/import.hpp"
+#include "hatchway/walk/player.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "world/camera_path.hpp"
+#include "hatchway/world/camera_path.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "geometry/mesh_chunks.hpp"
-#include "world/scene.hpp"
-#include "world/visibility.hpp"
+#include "hatchway/geometry/mesh_chunks.hpp"
+#include "hatchway/world/scene.hpp"
+#include "hatchway/world/visibility/visibility.hpp"
 
 namespace hw::test {
 

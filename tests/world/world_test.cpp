@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "world/level.hpp"
+#include "hatchway/world/level.hpp"
 
 namespace {
 

@@ -1,0 +1,84 @@
+// Ink maps level by level: width of strokes, tone and contrast, of the map as it was made and of what minimum and box
+// filtering make of its finest level.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "hatchway/io/images/map_file.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "hatchway/maps/ink_map.hpp"
+#include "measure/hatching/ink_level.hpp"
+#include "measure/measures.hpp"
+#include "program/arguments.hpp"
+#include "program/output_files.hpp"
+
+namespace hw {
+namespace {
+
+struct InkMeasureArguments {
+    std::vector<std::filesystem::path> maps;
+    std::filesystem::path json;
+};
+
+void add_rows(JsonValue& rows, const std::string& name, const std::string& filter, const MapLevels& map)
+{
+    const InkLevelFigures finest = ink_level_figures(map.levels.front());
+    for (std::size_t i = 0; i < map.levels.size(); ++i) {
+        const InkLevelFigures level = ink_level_figures(map.levels[i]);
+        const bool has_strokes = level.stroke_texels > 0.0 && finest.stroke_texels > 0.0;
+        const double width_error = has_strokes ? level.stroke_texels / finest.stroke_texels - 1.0 : 0.0;
+        const double kept = finest.contrast > 0.0 ? level.contrast / finest.contrast : 0.0;
+        std::cout << fmt::format("{:<20}{:<12}{:>6}{:>8}", name, filter, i, map.levels[i].width);
+        if (has_strokes)
+            std::cout << fmt::format("{:>10.2f}{:>+9.0f} %", level.stroke_texels, 100.0 * width_error);
+        else
+            std::cout << fmt::format("{:>21}", "none");
+        std::cout << fmt::format("{:>9.3f}{:>+9.3f}{:>9.2f}\n", level.tone, level.tone - finest.tone, kept);
+        rows.push(JsonValue::object()
+                      .set("map", name)
+                      .set("filter", filter)
+                      .set("level", static_cast<std::uint64_t>(i))
+                      .set("width_texels", map.levels[i].width)
+                      .set("stroke_texels", level.stroke_texels)
+                      .set("stroke_error", width_error)
+                      .set("tone", level.tone)
+                      .set("tone_error", level.tone - finest.tone)
+                      .set("contrast_kept", kept));
+    }
+}
+
+void measure_ink(const InkMeasureArguments& arguments)
+{
+    require_outputs({{"--json", arguments.json}}, {});
+    std::vector<MapLevels> maps;
+    for (const std::filesystem::path& folder : arguments.maps) maps.push_back(read_map(folder));
+    JsonValue rows = JsonValue::array();
+    std::cout << fmt::format("{:<20}{:<12}{:>6}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}\n", "map", "levels", "level", "texels",
+                             "stroke", "error", "tone", "error", "contrast");
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const MapLevels& map = maps[i];
+        const std::string name = std::filesystem::weakly_canonical(arguments.maps[i]).filename().string();
+        add_rows(rows, name, "as made", map);
+        add_rows(rows, name, "minimum", filtered_by_minimum(map.levels.front(), map.size_m));
+        add_rows(rows, name, "box", filtered_by_mean(map.levels.front(), map.size_m));
+    }
+    if (!arguments.json.empty()) write_json(arguments.json, JsonValue::object().set("rows", std::move(rows)));
+}
+
+}  // namespace
+
+void add_measure_ink(CLI::App& measure)
+{
+    auto arguments = std::make_shared<InkMeasureArguments>();
+    CLI::App* command = measure.add_subcommand(
+        "ink", "Stroke width, tone and contrast of ink maps level by level, beside minimum and box filtering");
+    command->add_option("maps", arguments->maps, "Folders of maps, each with its map.json")
+        ->required()
+        ->option_text("MAP...");
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { measure_ink(*arguments); });
+}
+
+}  // namespace hw

@@ -1,0 +1,66 @@
+#include "measure/lines/exact_lines.hpp"
+
+#include <algorithm>
+#include <glm/trigonometric.hpp>
+
+#include "hatchway/stage/whole_scene.hpp"
+#include "hatchway/world/camera_path.hpp"
+
+namespace hw {
+namespace {
+
+std::vector<ObjectInk> all_inked(const Scene& scene, const LineLook& pen)
+{
+    const ObjectInk ink{
+        .is_used = true, .crease_rad = pen.crease_rad, .has_intersections = true, .looks = {{.look = pen}}};
+    return std::vector<ObjectInk>(scene.objects.size(), ink);
+}
+
+LineCamera line_camera(const CameraPlace& camera, glm::ivec2 size_px)
+{
+    return {.eye_world = camera.eye_world,
+            .target_world = camera.target_world,
+            .fov_rad = glm::radians(camera.fov_deg),
+            .size_px = size_px};
+}
+
+}  // namespace
+
+ExactLines::ExactLines(const std::filesystem::path& file, const LineLook& pen)
+    : level_(read_level_with(file, {})),
+      world_(open_world(level_, nullptr)),
+      lines_(world_->scene, all_inked(world_->scene, pen), {}),
+      cuts_(&lines_.intersections())
+{
+}
+
+std::vector<CameraPlace> ExactLines::cameras(int count, double aspect) const
+{
+    std::vector<CameraPlace> places;
+    const auto add = [&](const Camera& c) { places.push_back({c.eye_world, c.target_world, c.fov_deg}); };
+    for (const auto& [name, camera] : level_.cameras)
+        if (static_cast<int>(places.size()) < count) add(camera);
+    if (!places.empty()) return places;
+    const CameraPath around = turntable(scene(), aspect);
+    for (int i = 0; i < count; ++i) add(camera_at(around, around.keys.back().t_s * (i + 0.15) / count));
+    return places;
+}
+
+std::vector<VisibleLine> ExactLines::find(const CameraPlace& camera, glm::ivec2 size_px, double* seconds) const
+{
+    const VisibleLineOptions options{.intersections = *cuts_};
+    const LineCamera place = line_camera(camera, size_px);
+    return seconds == nullptr ? find_visible_lines(lines_.objects(), place, options)
+                              : timed_visible_lines(lines_.objects(), place, options, 5, *seconds);
+}
+
+std::vector<VectorLine> ExactLines::drawn(const CameraPlace& camera, glm::ivec2 size_px, double* seconds)
+{
+    std::vector<VectorLine> lines;
+    for (VectorObject& object : lines_.drawing(find(camera, size_px, seconds), line_camera(camera, size_px)).objects)
+        for (VectorGroup& group : object.groups)
+            for (VectorLine& line : group.lines) lines.push_back(std::move(line));
+    return lines;
+}
+
+}  // namespace hw

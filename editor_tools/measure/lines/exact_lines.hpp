@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "hatchway/drawing/level_lines.hpp"
+#include "hatchway/render/view/camera_view.hpp"
+#include "hatchway/stage/level_world.hpp"
+
+namespace hw {
+
+/// The exact visible lines of a level or a model in which every object is drawn with one pen.
+class ExactLines {
+ public:
+    ExactLines(const std::filesystem::path& file, const LineLook& pen);
+
+    const Level& level() const { return level_; }
+    const LevelWorld& world() const { return *world_; }
+    const Scene& scene() const { return world_->scene; }
+
+    /// The level's cameras, `count` at most; else so many places around the scene.
+    std::vector<CameraPlace> cameras(int count, double aspect) const;
+
+    /// `seconds`, when not null, gets what it costs, extraction, occlusion and chaining: the median of five runs.
+    std::vector<VisibleLine> find(const CameraPlace& camera, glm::ivec2 size_px, double* seconds = nullptr) const;
+
+    /// The same in pieces with the widths that the pen has there: what crowded lines of far objects are thinned to.
+    std::vector<VectorLine> drawn(const CameraPlace& camera, glm::ivec2 size_px, double* seconds = nullptr);
+
+ private:
+    Level level_;
+    std::shared_ptr<const LevelWorld> world_;
+    LevelLines lines_;
+    const std::vector<IntersectionLine>* cuts_;
+};
+
+}  // namespace hw

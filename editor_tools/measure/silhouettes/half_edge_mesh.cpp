@@ -1,0 +1,98 @@
+#include "measure/silhouettes/half_edge_mesh.hpp"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+
+#include "hatchway/core/error.hpp"
+
+namespace hw {
+namespace {
+
+struct Traits : OpenMesh::DefaultTraits {
+    FaceAttributes(OpenMesh::Attributes::Normal);
+};
+
+using TriMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+
+}  // namespace
+
+struct HalfEdgeMesh::Mesh {
+    TriMesh tri;
+    std::uint32_t surface_positions = 0;
+    std::vector<std::uint32_t> original;  // for each vertex its position in the surface
+};
+
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface) : mesh_(std::make_unique<Mesh>())
+{
+    TriMesh& tri = mesh_->tri;
+    mesh_->surface_positions = static_cast<std::uint32_t>(surface.positions.size());
+    tri.reserve(surface.positions.size(), surface.faces.size() * 3 / 2, surface.faces.size());
+    for (const glm::vec3& p : surface.positions) {
+        mesh_->original.push_back(static_cast<std::uint32_t>(tri.n_vertices()));
+        tri.add_vertex({p.x, p.y, p.z});
+    }
+    // A refused face is no error here, so OpenMesh's report of it must not reach the user.
+    const bool was_enabled = omerr().is_enabled();
+    omerr().disable();
+    for (const auto& [a, b, c] : surface.faces) {
+        if (tri.add_face(tri.vertex_handle(a), tri.vertex_handle(b), tri.vertex_handle(c)).is_valid()) continue;
+        std::array<TriMesh::VertexHandle, 3> copies;
+        const std::array<std::uint32_t, 3> corners{a, b, c};
+        for (int i = 0; i < 3; ++i) {
+            const TriMesh::Point point = tri.point(tri.vertex_handle(corners[i]));  // add_vertex moves the storage
+            copies[i] = tri.add_vertex(point);
+            mesh_->original.push_back(corners[i]);
+        }
+        HW_ASSERT(tri.add_face(copies[0], copies[1], copies[2]).is_valid());
+    }
+    if (was_enabled) omerr().enable();
+    tri.update_face_normals();
+}
+
+HalfEdgeMesh::~HalfEdgeMesh() = default;
+HalfEdgeMesh::HalfEdgeMesh(HalfEdgeMesh&&) noexcept = default;
+HalfEdgeMesh& HalfEdgeMesh::operator=(HalfEdgeMesh&&) noexcept = default;
+
+std::uint32_t HalfEdgeMesh::face_count() const
+{
+    return static_cast<std::uint32_t>(mesh_->tri.n_faces());
+}
+std::uint32_t HalfEdgeMesh::vertex_count() const
+{
+    return static_cast<std::uint32_t>(mesh_->tri.n_vertices());
+}
+std::uint32_t HalfEdgeMesh::edge_count() const
+{
+    return static_cast<std::uint32_t>(mesh_->tri.n_edges());
+}
+std::uint32_t HalfEdgeMesh::duplicated_vertices() const
+{
+    return vertex_count() - mesh_->surface_positions;
+}
+
+std::array<std::uint32_t, 2> HalfEdgeMesh::edge_ends(int edge) const
+{
+    const auto side = mesh_->tri.halfedge_handle(TriMesh::EdgeHandle(edge), 0);
+    return {mesh_->original[mesh_->tri.from_vertex_handle(side).idx()],
+            mesh_->original[mesh_->tri.to_vertex_handle(side).idx()]};
+}
+
+void HalfEdgeMesh::plain_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges) const
+{
+    edges.clear();
+    const TriMesh& tri = mesh_->tri;
+    const TriMesh::Point eye(static_cast<float>(viewpoint_object.eye.x), static_cast<float>(viewpoint_object.eye.y),
+                             static_cast<float>(viewpoint_object.eye.z));
+    for (const auto edge : tri.edges()) {
+        const auto side_a = tri.halfedge_handle(edge, 0), side_b = tri.halfedge_handle(edge, 1);
+        if (tri.is_boundary(side_a) || tri.is_boundary(side_b)) continue;
+        const TriMesh::Point middle =
+            (tri.point(tri.to_vertex_handle(side_a)) + tri.point(tri.to_vertex_handle(side_b))) * 0.5f;
+        const TriMesh::Point to_viewer = viewpoint_object.is_orthographic ? eye : eye - middle;
+        const bool a = dot(tri.normal(tri.face_handle(side_a)), to_viewer) > 0.0f;
+        const bool b = dot(tri.normal(tri.face_handle(side_b)), to_viewer) > 0.0f;
+        if (a != b) edges.push_back(edge.idx());
+    }
+}
+
+}  // namespace hw

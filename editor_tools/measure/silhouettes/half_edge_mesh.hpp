@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hatchway/geometry/exact/viewpoint.hpp"
+#include "hatchway/geometry/surface/surface.hpp"
+
+namespace hw {
+
+/// OpenMesh's half-edge mesh over the repaired faces of a surface, for algorithms that walk around vertices. Every face
+/// of the surface is in it, with the same number; where OpenMesh refuses a face (complex edge or vertex, a surface that
+/// cannot be oriented) its corners are duplicated.
+class HalfEdgeMesh {
+ public:
+    explicit HalfEdgeMesh(const Surface& surface);
+    ~HalfEdgeMesh();
+    HalfEdgeMesh(HalfEdgeMesh&&) noexcept;
+    HalfEdgeMesh& operator=(HalfEdgeMesh&&) noexcept;
+
+    std::uint32_t face_count() const;
+    std::uint32_t vertex_count() const;
+    std::uint32_t edge_count() const;
+    std::uint32_t duplicated_vertices() const;  ///< Vertices added because a face was refused.
+
+    /// The plain way to find silhouettes, for comparison: over all edges, precomputed float normals, eye to the edge's
+    /// middle. Edge numbers are OpenMesh's.
+    void plain_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges) const;
+
+    /// The ends of an edge as positions of the surface.
+    std::array<std::uint32_t, 2> edge_ends(int edge) const;
+
+ private:
+    struct Mesh;
+    std::unique_ptr<Mesh> mesh_;
+};
+
+}  // namespace hw

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hatchway/world/visibility/tree/structure.hpp"
+
+namespace hw::measure {
+
+/// Points for which the walk down the tree and exact arithmetic on the stored planes name different leaves. Random
+/// points of the tree's box, always the same; every other one lies within a few grid steps of a plane of the tree:
+/// those that a careless test gets wrong.
+std::uint64_t misclassified(const BspTree& tree, std::uint64_t points);
+
+/// How far the area of the tree's pieces is from that of the polygons it was made from, as a share of the latter.
+double relative_area_error(const Structure& structure, const BspBuild& build);
+
+}  // namespace hw::measure

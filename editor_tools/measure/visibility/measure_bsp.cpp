@@ -1,0 +1,69 @@
+// What the tree costs, and whether it tells the truth: every point must be where exact arithmetic on the stored planes
+// puts it, and the pieces must cover what the snapped polygons covered.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+
+#include "hatchway/io/gltf/import.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "hatchway/io/level/file.hpp"
+#include "measure/measures.hpp"
+#include "measure/visibility/bsp_measure.hpp"
+#include "program/arguments.hpp"
+#include "program/option_rules.hpp"
+#include "program/output_files.hpp"
+
+namespace hw {
+namespace {
+
+struct BspMeasureArguments {
+    std::vector<std::filesystem::path> files;
+    std::uint64_t points = 1'000'000;
+    std::filesystem::path json;
+};
+
+JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
+{
+    const Level level = read_level(file);
+    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    const auto start = std::chrono::steady_clock::now();
+    Structure structure = choose_structure(scene, level, {});
+    const BspBuild build =
+        build_bsp(structure.grid, structure.planes, structure.polygons, structure.box_min, structure.box_max);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    JsonValue row = JsonValue::object();
+    row.set("file", file.filename().string()).set("seconds", seconds);
+    row.set("polygons", static_cast<std::uint64_t>(structure.polygons.size())).set("pieces", build.piece_count);
+    row.set("leaves", build.tree.leaf_count).set("depth", build.depth);
+    row.set("points", points).set("misclassified", measure::misclassified(build.tree, points));
+    row.set("relative_area_error", measure::relative_area_error(structure, build));
+    return row;
+}
+
+void measure_bsp(const BspMeasureArguments& arguments)
+{
+    require_outputs({{"--json", arguments.json}}, arguments.files);
+    JsonValue rows = JsonValue::array();
+    for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments.points));
+    JsonValue json = JsonValue::object();
+    json.set("measure", "bsp").set("rows", std::move(rows));
+    if (!arguments.json.empty()) write_json(arguments.json, json);
+    std::cout << json.text();
+}
+
+}  // namespace
+
+void add_measure_bsp(CLI::App& measure)
+{
+    auto arguments = std::make_shared<BspMeasureArguments>();
+    CLI::App* command =
+        measure.add_subcommand("bsp", "Seconds, pieces, misclassified points and area error of the BSP");
+    command->add_option("files", arguments->files, "Levels or models")->required();
+    command->add_option("--points", arguments->points, "Points to classify")->check(whole_number_in(1, 1'000'000'000));
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { measure_bsp(*arguments); });
+}
+
+}  // namespace hw

@@ -1,0 +1,138 @@
+// Random walks through a scene, judged by an oracle that knows nothing of the walker: what must never happen is
+// counted, with what it took.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/io/gltf/import.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "hatchway/io/level/file.hpp"
+#include "hatchway/stage/level_world.hpp"
+#include "hatchway/walk/walk_styles.hpp"
+#include "measure/measures.hpp"
+#include "measure/walk/walk_fuzz.hpp"
+#include "program/arguments.hpp"
+#include "program/option_rules.hpp"
+#include "program/output_files.hpp"
+
+namespace hw {
+namespace {
+
+using measure::WalkCounts;
+
+constexpr std::size_t kPlaces = 32;  // that the oracle chooses, beside the level's own
+constexpr std::uint32_t kPlaceSeed = 1;
+
+struct WalkMeasureArguments {
+    std::vector<std::filesystem::path> files;
+    std::uint64_t inputs = measure::WalkFuzzOptions{}.inputs;
+    std::uint32_t threads = 0;
+    std::filesystem::path json;
+};
+
+/// The level's start, cameras and path keys, then places all over the scene: those where a walker stands.
+std::vector<PlayerState> starts_in(const Level& level, const Scene& scene, const PlayerBody& body,
+                                   const measure::WalkOracle& oracle, const CollisionWorld& world)
+{
+    std::vector<Camera> cameras;
+    const auto add = [&](const glm::dvec3& eye, const glm::dvec3& target) {
+        cameras.push_back({.eye_world = eye, .target_world = target});
+    };
+    if (level.start) add(level.start->position, level.start->look_at);
+    for (const auto& [name, camera] : level.cameras) cameras.push_back(camera);
+    cameras.insert(cameras.end(), scene.cameras.begin(), scene.cameras.end());
+    for (const auto& [name, path] : level.paths)
+        for (const PathKey& key : path.keys) add(key.position, key.look_at);
+    const measure::JudgedBody judged{body.gait.capsule.radius_m, body.gait.capsule.height_m, body.gait.step_m};
+    for (const glm::dvec3& foot : oracle.standing_places(judged, kPlaces, kPlaceSeed)) {
+        const glm::dvec3 eye = foot + glm::dvec3(0.0, body.eye_m, 0.0);
+        add(eye, eye + glm::dvec3(0.0, 0.0, -1.0));
+    }
+    std::vector<PlayerState> starts;
+    for (const Camera& camera : cameras)
+        if (const PlayerState state = placed_at(camera, body, world); state.is_carried) starts.push_back(state);
+    return starts;
+}
+
+JsonValue json_of(const std::string& file, std::size_t starts, double seconds, const WalkCounts& counts)
+{
+    JsonValue row = JsonValue::object();
+    row.set("file", file).set("starts", static_cast<std::uint64_t>(starts)).set("seconds", seconds);
+    row.set("inputs", counts.inputs).set("frames", counts.frames).set("walked_s", counts.walked_s);
+    row.set("way_m", counts.way_m).set("cells", counts.cells).set("put_back", counts.put_back);
+    row.set("penetrations", counts.penetrations).set("worst_depth_m", counts.worst_depth_m);
+    row.set("walls_crossed", counts.walls_crossed).set("floors_crossed", counts.floors_crossed);
+    row.set("thrown", counts.thrown).set("eyes_parted", counts.eyes_parted).set("stuck", counts.stuck);
+    row.set("wrong", counts.wrong());
+    return row;
+}
+
+void tell_faults(const std::string& file, const WalkCounts& counts)
+{
+    for (const measure::WalkFault& fault : counts.faults)
+        std::cerr << fmt::format("{}: {} in walk {}, input {}, foot {:.4f} {:.4f} {:.4f}, {:.6f} m deep\n", file,
+                                 fault.what, fault.walk, fault.input, fault.foot_world.x, fault.foot_world.y,
+                                 fault.foot_world.z, fault.depth_m);
+}
+
+JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArguments& arguments)
+{
+    const Level level = read_level(file);
+    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    const std::vector<ObjectLook> looks = resolve_looks(level, scene, kFallbackStyle);
+    const CollisionWorld world = build_collision_world(scene, looks);
+    const measure::WalkOracle oracle(scene, looks);
+    const PlayerBody body = body_for(scene.bounds_world, is_level_file(level.file));
+    const std::vector<PlayerState> starts = starts_in(level, scene, body, oracle, world);
+    if (starts.empty()) throw Error({.what = "no place to stand on was found", .file = file.string()});
+    const measure::Walker walker = [&](const PlayerState& state, const PlayerInput& input, double seconds) {
+        return step(state, input, body, world, seconds);
+    };
+    const auto begun = std::chrono::steady_clock::now();
+    const WalkCounts counts =
+        fuzz_walk(oracle, walker, body, starts, {.inputs = arguments.inputs, .threads = arguments.threads});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    const std::string name = file.filename().string();
+    tell_faults(name, counts);
+    std::cout << fmt::format("{:<26}{:>9}{:>9}{:>9.1f}{:>8}{:>7}{:>8}{:>10.2g}{:>7}{:>7}{:>7}{:>7}{:>7}\n", name,
+                             counts.inputs, counts.frames, seconds, counts.cells, counts.put_back, counts.penetrations,
+                             counts.worst_depth_m, counts.walls_crossed, counts.floors_crossed, counts.thrown,
+                             counts.eyes_parted, counts.stuck)
+              << std::flush;
+    return json_of(name, starts.size(), seconds, counts);
+}
+
+void measure_walk(const WalkMeasureArguments& arguments)
+{
+    require_outputs({{"--json", arguments.json}}, arguments.files);
+    std::cout << fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}{:>10}{:>7}{:>7}{:>7}{:>7}{:>7}\n", "scene", "inputs",
+                             "frames", "seconds", "cells", "put", "pene-", "worst m", "walls", "floors", "thrown",
+                             "eyes", "stuck")
+              << fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}\n", "", "", "", "", "0.5 m", "back", "trated");
+    JsonValue rows = JsonValue::array();
+    for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments));
+    JsonValue json = JsonValue::object();
+    json.set("measure", "walk").set("tolerance_m", measure::WalkFuzzOptions{}.tolerance_m);
+    json.set("rows", std::move(rows));
+    if (!arguments.json.empty()) write_json(arguments.json, json);
+}
+
+}  // namespace
+
+void add_measure_walk(CLI::App& measure)
+{
+    auto arguments = std::make_shared<WalkMeasureArguments>();
+    CLI::App* command = measure.add_subcommand(
+        "walk", "Random walks: bodies in walls, walls and floors passed through, walkers that are stuck");
+    command->add_option("files", arguments->files, "Levels or models")->required();
+    command->add_option("--inputs", arguments->inputs, "Random inputs in each scene, held for 1 to 4 frames")
+        ->check(whole_number_in(1, 1'000'000'000));
+    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { measure_walk(*arguments); });
+}
+
+}  // namespace hw

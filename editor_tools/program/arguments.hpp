@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "hatchway/stage/stage.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace hw {
+
+struct DeviceInfo;
+
+/// What every subcommand that opens a level takes.
+struct LevelArguments {
+    std::filesystem::path file;
+    std::vector<std::string> styles;
+    std::vector<std::filesystem::path> plugin_dirs;
+    bool without_pvs = false;
+    bool without_baked_light = false;
+    std::filesystem::path cache;  ///< Where compiled levels are kept; empty: beside the level, or nowhere.
+    bool without_cache = false;
+};
+
+/// What a command does with compiled levels where --cache does not say.
+enum class CompiledUse : unsigned char {
+    anew,    ///< Compiles, and keeps nothing.
+    reused,  ///< Takes what lies beside the level, or leaves it there.
+};
+
+void add_level_arguments(CLI::App& command, LevelArguments& arguments);
+void add_plugin_dir_argument(CLI::App& command, std::vector<std::filesystem::path>& plugin_dirs);
+void add_json_argument(CLI::App& command, std::filesystem::path& json_file);
+
+/// --cache alone, for commands that do not draw.
+void add_cache_argument(CLI::App& command, std::filesystem::path& cache);
+
+/// Throws hw::Error if --cache names no folder, or none that can be made.
+StageOptions stage_options(const LevelArguments& arguments, CompiledUse use = CompiledUse::anew);
+
+/// What --pvs says, in the order of rising effort.
+inline const std::vector<std::string> kPvsEfforts{"fast", "full", "exact"};
+PvsEffort pvs_effort(const std::string& name);
+
+/// "1280x720". Throws hw::Error unless both sides are in [1, limits::kMaxImageSide] and the picture has at
+/// most limits::kMaxImagePixels.
+glm::ivec2 parse_size(const std::string& text);
+
+/// "X,Y,Z", three finite numbers. Throws hw::Error that names `option`.
+glm::dvec3 parse_vector(const std::string& text, const std::string& option);
+
+/// Throws hw::Error, Fault::device, when the device cannot draw pictures of that size. Asked before a level is opened.
+void require_fits(const glm::ivec2& size_px, const DeviceInfo& device);
+
+}  // namespace hw

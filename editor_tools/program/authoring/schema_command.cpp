@@ -1,0 +1,56 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "hatchway/core/files.hpp"
+#include "hatchway/io/level/schema.hpp"
+#include "hatchway/plugin_host/make_style.hpp"
+#include "program/arguments.hpp"
+#include "program/commands.hpp"
+#include "program/output_files.hpp"
+
+namespace hw {
+namespace {
+
+struct SchemaArguments {
+    std::vector<std::filesystem::path> plugin_dirs;
+    std::filesystem::path out;
+};
+
+std::vector<StyleSchema> style_schemas(const PluginRegistry& registry)
+{
+    std::vector<StyleSchema> schemas;
+    for (const Plugin& plugin : registry.plugins()) {
+        if (plugin.kind != PluginKind::style) continue;
+        SchemaCollector collector;
+        visit_defaults(plugin, collector);
+        schemas.push_back({plugin.name, plugin.summary, collector.params()});
+    }
+    return schemas;
+}
+
+void write_schema(const SchemaArguments& arguments)
+{
+    require_writable(arguments.out, "--out");
+    PluginPlaces places;
+    places.folders = arguments.plugin_dirs;
+    const std::string schema = level_schema(style_schemas(PluginRegistry(places)));
+    if (arguments.out.empty())
+        std::cout << schema;
+    else
+        write_file_atomically(arguments.out, schema);
+}
+
+}  // namespace
+
+void add_schema_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<SchemaArguments>();
+    CLI::App* command =
+        app.add_subcommand("schema", "Writes the JSON schema of level files, with all styles' parameters");
+    add_plugin_dir_argument(*command, arguments->plugin_dirs);
+    command->add_option("--out", arguments->out, "The file to write; else it goes to the standard output")
+        ->option_text("FILE");
+    command->callback([arguments] { write_schema(*arguments); });
+}
+
+}  // namespace hw

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "hatchway/core/log.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "program/arguments.hpp"
+#include "program/commands.hpp"
+#include "program/level/level_doubts.hpp"
+#include "program/output_files.hpp"
+#include "program/pictures/world_shown.hpp"
+
+namespace hw {
+namespace {
+
+struct CheckArguments {
+    LevelArguments level;
+    std::filesystem::path json;
+};
+
+JsonValue leaks_json(const std::vector<Leak>& leaks)
+{
+    const auto point_json = [](const glm::dvec3& p) { return JsonValue::array().push(p.x).push(p.y).push(p.z); };
+    JsonValue json = JsonValue::array();
+    for (const Leak& leak : leaks) {
+        JsonValue points = JsonValue::array();
+        for (const glm::dvec3& point : leak.points_world) points.push(point_json(point));
+        json.push(JsonValue::object()
+                      .set("from", leak.from)
+                      .set("opening", point_json(leak.opening_world))
+                      .set("opening_m2", leak.opening_m2)
+                      .set("near", leak.near_node)
+                      .set("points", std::move(points)));
+    }
+    return json;
+}
+
+void check(const CheckArguments& arguments)
+{
+    const std::vector<OutputFile> outputs{{"--json", arguments.json}};
+    require_outputs(outputs, {arguments.level.file});
+    const auto context = make_headless_context();
+    const Stage stage(*context, stage_options(arguments.level));
+    require_unread(outputs);
+    const std::vector<std::string> found = level_doubts(stage.level(), stage.scene());
+    for (const std::string& doubt : found) log_warning(doubt);
+    const bool is_sealed = stage.level().is_sealed;
+    const std::vector<Leak> leaks = is_sealed ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
+
+    const Scene& scene = stage.scene();
+    std::cout << fmt::format(
+        "{}: good: {} objects, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
+        "paths; {} warnings\n",
+        arguments.level.file.string(), scene.objects.size(), drawn_triangle_count(scene), scene.materials.size(),
+        scene.lights.size() + stage.level().lights.size(), stage.level().styles.size(),
+        stage.level().cameras.size() + scene.cameras.size(), stage.level().paths.size(), found.size() + leaks.size());
+    if (arguments.json.empty()) return;
+    JsonValue warnings = JsonValue::array();
+    for (const std::string& doubt : found) warnings.push(doubt);
+    write_json(arguments.json, JsonValue::object()
+                                   .set("level", arguments.level.file.string())
+                                   .set("objects", static_cast<std::uint64_t>(scene.objects.size()))
+                                   .set("triangles", drawn_triangle_count(scene))
+                                   .set("warnings", std::move(warnings))
+                                   .set("leaks", leaks_json(leaks)));
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* command =
+        app.add_subcommand("check", "Opens a level with all its styles, maps and shaders, and says what is wrong");
+    add_level_arguments(*command, arguments->level);
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { check(*arguments); });
+}
+
+}  // namespace hw

@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "hatchway/drawing/scene_surfaces.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "hatchway/stage/level_world.hpp"
+#include "program/arguments.hpp"
+#include "program/commands.hpp"
+#include "program/level/hatch_info.hpp"
+#include "program/option_rules.hpp"
+#include "program/output_files.hpp"
+
+namespace hw {
+namespace {
+
+struct InfoArguments {
+    std::filesystem::path file;
+    std::filesystem::path json;
+    std::filesystem::path cache;
+    bool has_nodes = false;
+    std::string hatch = kModelHatching;
+};
+
+/// Sums over meshes, each counted once however often it is used.
+struct MeshTotals {
+    SurfaceReport report;
+    std::uint64_t edges = 0;
+    OutlineBytes bytes;
+    std::uint64_t faces = 0;
+
+    double per_edge(std::size_t sum) const
+    {
+        return edges ? static_cast<double>(sum) / static_cast<double>(edges) : 0.0;
+    }
+    double per_face(std::size_t sum) const
+    {
+        return faces ? static_cast<double>(sum) / static_cast<double>(faces) : 0.0;
+    }
+};
+
+MeshTotals totals_of(const std::vector<Surface>& surfaces)
+{
+    MeshTotals totals;
+    for (const Surface& surface : surfaces) {
+        const SurfaceReport& report = surface.report;
+        totals.report.triangles_in += report.triangles_in;
+        totals.report.removed_faces += report.removed_faces;
+        totals.report.collinear_faces += report.collinear_faces;
+        totals.report.flipped_faces += report.flipped_faces;
+        totals.report.inconsistent_edges += report.inconsistent_edges;
+        totals.report.border_edges += report.border_edges;
+        totals.report.complex_edges += report.complex_edges;
+        totals.report.stitched_edges += report.stitched_edges;
+        totals.report.artist_edges += report.artist_edges;
+        totals.report.components += report.components;
+        totals.report.closed_components += report.closed_components;
+        totals.report.inward_components += report.inward_components;
+        totals.report.reflex_rule_components += report.reflex_rule_components;
+        totals.edges += surface.edges.size();
+        const OutlineBytes bytes = outline_bytes(surface);
+        totals.faces += surface.faces.size();
+        totals.bytes.edges += bytes.edges;
+        totals.bytes.planes += bytes.planes;
+        totals.bytes.clusters += bytes.clusters;
+    }
+    return totals;
+}
+
+JsonValue info_json(const LevelWorld& world, const MeshTotals& totals)
+{
+    const Scene& scene = world.scene;
+    const SurfaceReport& report = totals.report;
+    const VisibilityStats& visibility = world.visibility->stats;
+    JsonValue json = JsonValue::object();
+    json.set("triangles", report.triangles_in).set("triangles_drawn", drawn_triangle_count(scene));
+    json.set("objects", static_cast<std::uint64_t>(scene.objects.size()));
+    json.set("meshes", static_cast<std::uint64_t>(scene.meshes.size()));
+    json.set("materials", static_cast<std::uint64_t>(scene.materials.size()));
+    json.set("faces_removed", report.removed_faces).set("collinear_faces", report.collinear_faces);
+    json.set("components", report.components).set("closed_components", report.closed_components);
+    json.set("inward_components", report.inward_components);
+    json.set("reflex_rule_components", report.reflex_rule_components);
+    json.set("edges", totals.edges).set("borders", report.border_edges);
+    json.set("stitched_edges", report.stitched_edges).set("complex_edges", report.complex_edges);
+    json.set("artist_edges", report.artist_edges).set("inconsistent_edges", report.inconsistent_edges);
+    json.set("flips_repaired", report.flipped_faces);
+    json.set("bytes_per_edge", totals.per_edge(totals.bytes.edges));
+    json.set("plane_bytes_per_face", totals.per_face(totals.bytes.planes));
+    json.set("cluster_bytes_per_edge", totals.per_edge(totals.bytes.clusters));
+    json.set("structure_polygons", visibility.structure_polygons);
+    json.set("leaves", visibility.leaves).set("portals", visibility.portals);
+    json.set("coarse_portals", visibility.coarse_portals);
+    json.set("average_visible_share", visibility.average_visible_share);
+    json.set("visibility_s", visibility.seconds);
+    return json;
+}
+
+void print_info(const LevelWorld& world, const MeshTotals& totals)
+{
+    const SurfaceReport& report = totals.report;
+    const VisibilityStats& visibility = world.visibility->stats;
+    std::cout << fmt::format(
+        "model       {} objects, {} meshes, {} triangles ({} drawn)\n"
+        "faces       {} removed, {} collinear, {} flips repaired\n"
+        "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
+        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} inconsistent\n"
+        "bytes       {:.1f} an edge, crease or candidate, and {:.1f} in clusters; {:.1f} a face in planes\n"
+        "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; "
+        "{:.2f} s\n",
+        world.scene.objects.size(), world.scene.meshes.size(), report.triangles_in, drawn_triangle_count(world.scene),
+        report.removed_faces, report.collinear_faces, report.flipped_faces, report.components, report.closed_components,
+        report.inward_components, report.reflex_rule_components, totals.edges, report.border_edges,
+        report.complex_edges, report.artist_edges, report.stitched_edges, report.inconsistent_edges,
+        totals.per_edge(totals.bytes.edges), totals.per_edge(totals.bytes.clusters),
+        totals.per_face(totals.bytes.planes), visibility.leaves, visibility.portals, visibility.coarse_portals,
+        visibility.structure_polygons, 100.0 * visibility.average_visible_share, visibility.seconds);
+}
+
+/// What the rules of a level name: every node with objects, by its path, with the materials of its objects.
+void print_nodes(const Scene& scene)
+{
+    std::vector<std::vector<std::string>> materials(scene.nodes.size());
+    for (const Object& object : scene.objects) {
+        const std::string& name = scene.materials[object.material].name;
+        materials[object.node].push_back(name.empty() ? "(unnamed)" : name);
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        if (!materials[i].empty())
+            std::cout << fmt::format("node        #{:<5} {:<40} {}\n", i, scene.nodes[i].path,
+                                     fmt::join(materials[i], ", "));
+}
+
+void info(const InfoArguments& arguments)
+{
+    const std::vector<OutputFile> outputs{{"--json", arguments.json}};
+    require_outputs(outputs, {arguments.file});
+    const VisibilityOptions visibility;
+    const Level level = read_level_with(arguments.file, {});
+    if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
+    const CompiledCache cache{arguments.cache};
+    const auto world = open_world(level, &visibility, BakedLight::unwanted, arguments.cache.empty() ? nullptr : &cache);
+    require_unread(outputs);
+    const MeshTotals totals = totals_of(scene_surfaces(world->scene));
+    const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
+    print_info(*world, totals);
+    std::cout << hatch_text(hatching);
+    if (arguments.has_nodes) print_nodes(world->scene);
+    if (arguments.json.empty()) return;
+    JsonValue json = info_json(*world, totals);
+    add_hatch_json(hatching, json);
+    write_json(arguments.json, json);
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<InfoArguments>();
+    CLI::App* command =
+        app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
+    command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
+    command->add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
+    command
+        ->add_option(
+            "--hatch", arguments->hatch,
+            "What strokes follow: model (a box for meshes without texture coordinates), box, cylinder, principal")
+        ->check(one_of({"model", "box", "cylinder", "principal"}));
+    add_cache_argument(*command, arguments->cache);
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { info(*arguments); });
+}
+
+}  // namespace hw

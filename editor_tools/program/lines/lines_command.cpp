@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <numbers>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/drawing/level_lines.hpp"
+#include "hatchway/io/gltf/import.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "program/arguments.hpp"
+#include "program/commands.hpp"
+#include "program/level/level_doubts.hpp"
+#include "program/option_rules.hpp"
+#include "program/output_files.hpp"
+#include "program/pictures/shots.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+
+struct LinesArguments {
+    fs::path file;
+    std::vector<std::string> styles;
+    std::vector<fs::path> plugin_dirs;
+    ShotArguments shot;
+    std::string size = "1280x720";
+    fs::path out;
+    std::string hidden = "none";
+    std::string mode = "all";
+    std::optional<double> crease_deg;
+    int runs = 1;
+    fs::path json;
+};
+
+void check_arguments(const LinesArguments& arguments)
+{
+    parse_size(arguments.size);
+    check_shot_arguments(arguments.shot);
+    if (arguments.out.extension() != ".svg" && arguments.out.extension() != ".pdf")
+        throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .svg or .pdf"});
+    require_outputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.file});
+}
+
+/// The picture that `render` takes: the same place, near plane and size.
+LineCamera line_camera(const CameraPlace& place, const View& view)
+{
+    const glm::mat4& clip = view.clip_from_view;
+    return {.eye_world = place.eye_world,
+            .target_world = place.target_world,
+            .fov_rad = place.fov_deg * kRadians,
+            .size_px = view.size_px,
+            .near_m = clip[3][2] / (clip[2][2] - 1.0)};
+}
+
+VisibleLineOptions line_options(const LinesArguments& arguments)
+{
+    return {.with_hidden = arguments.hidden == "dashed",
+            .with_creases = arguments.mode != "contour",
+            .with_artist = arguments.mode == "all"};
+}
+
+/// The styles decide, where there are any: a bare model that was given none is drawn with one pen.
+std::vector<ObjectInk> inks_of(const LinesArguments& arguments, const Level& level, const Scene& scene,
+                               const View& view)
+{
+    if (level.file == level.scene_file && arguments.styles.empty()) return {};
+    const PluginRegistry registry({.folders = arguments.plugin_dirs});
+    return object_inks(level, scene, registry, view);
+}
+
+JsonValue point_json(double x, double y)
+{
+    const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
+    return JsonValue::array().push(rounded(x)).push(rounded(y));
+}
+
+JsonValue exact_vector(const glm::dvec3& v)
+{
+    return JsonValue::array().push(JsonValue::exact(v.x)).push(JsonValue::exact(v.y)).push(JsonValue::exact(v.z));
+}
+
+JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& level, const LineCamera& camera,
+                     const std::string& mode)
+{
+    JsonValue lines = JsonValue::array();
+    for (const VisibleLine& line : found) {
+        JsonValue points = JsonValue::array();
+        for (const glm::dvec2& point : line.points_px) points.push(point_json(point.x, point.y));
+        JsonValue json = JsonValue::object();
+        json.set("object", level.name(line.object)).set("class", line_type_name(line.line_class));
+        json.set("visible", line.is_visible).set("closed", line.is_closed).set("points", std::move(points));
+        lines.push(std::move(json));
+    }
+    JsonValue json = JsonValue::object();
+    json.set("width", camera.size_px.x).set("height", camera.size_px.y).set("vfov_deg", camera.fov_rad / kRadians);
+    json.set("eye", exact_vector(camera.eye_world)).set("target", exact_vector(camera.target_world));
+    return json.set("mode", mode).set("lines", std::move(lines));
+}
+
+void write_results(const LinesArguments& arguments, const std::vector<VisibleLine>& found, LevelLines& lines,
+                   const LineCamera& camera, const Level& level)
+{
+    require_unread({{"--out", arguments.out}, {"--json", arguments.json}});
+    VectorDrawing drawing = lines.drawing(found, camera);
+    drawing.title = arguments.file.stem().stem().string();
+    if (level.background) drawing.paper_srgb = *level.background;
+    arguments.out.extension() == ".svg" ? write_svg(arguments.out, drawing) : write_pdf(arguments.out, drawing);
+    if (!arguments.json.empty()) write_json(arguments.json, lines_json(found, lines, camera, arguments.mode));
+}
+
+void draw_lines(const LinesArguments& arguments)
+{
+    check_arguments(arguments);
+    const glm::ivec2 size = parse_size(arguments.size);
+    const Level level = read_level_with(arguments.file, arguments.styles);
+    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    warn_of_idle_styles(level, scene, arguments.styles.size());
+    const Shot shot = shots_of(arguments.shot, level, scene, static_cast<double>(size.x) / size.y).front();
+    const View view = camera_view(shot.camera, size, scene.bounds_world);
+    const LineCamera camera = line_camera(shot.camera, view);
+    std::optional<float> crease_rad;
+    if (arguments.crease_deg) crease_rad = static_cast<float>(*arguments.crease_deg * kRadians);
+    LevelLines lines(scene, inks_of(arguments, level, scene, view), crease_rad);
+
+    VisibleLineOptions options = line_options(arguments);
+    if (arguments.mode == "all") options.intersections = lines.intersections();
+    double seconds = 0.0;
+    const std::vector<VisibleLine> found =
+        timed_visible_lines(lines.objects(), camera, options, arguments.runs, seconds);
+    write_results(arguments, found, lines, camera, level);
+    const auto seen = std::count_if(found.begin(), found.end(), [](const auto& line) { return line.is_visible; });
+    std::cout << fmt::format("{} triangles, {} objects: {} visible and {} hidden lines in {:.1f} ms\n",
+                             drawn_triangle_count(scene), scene.objects.size(), seen,
+                             static_cast<std::ptrdiff_t>(found.size()) - seen, 1e3 * seconds);
+}
+
+void add_picture_arguments(CLI::App& command, LinesArguments& arguments)
+{
+    command.add_option("--camera", arguments.shot.camera, "A camera of the level or the model")->option_text("NAME");
+    command.add_option("--eye", arguments.shot.eye, "Where to look from, metres, y up")->option_text("X,Y,Z");
+    command.add_option("--target", arguments.shot.target, "What to look at")->option_text("X,Y,Z");
+    command.add_option("--fov-deg", arguments.shot.fov_deg, "Vertical field of view")
+        ->option_text("F")
+        ->check(number_in(1.0, 170.0));
+    command.add_option("--size", arguments.size, "Size of the drawing in pixels, 1280x720")->option_text("WxH");
+    command.add_option("--out", arguments.out, "The drawing")->required()->option_text("FILE.svg|FILE.pdf");
+}
+
+}  // namespace
+
+void add_lines_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<LinesArguments>();
+    CLI::App* command = app.add_subcommand("lines", "Draws the visible lines of a level as vectors, SVG or PDF");
+    command->add_option("level", arguments->file, "A level, or a bare model")->required()->option_text("LEVEL|GLB");
+    add_picture_arguments(*command, *arguments);
+    command->add_option("--hidden", arguments->hidden, "Hidden lines: none, or dashed")
+        ->option_text("HOW")
+        ->check(one_of({"dashed", "none"}));
+    command
+        ->add_option("--mode", arguments->mode,
+                     "contour: silhouettes and borders; contour+crease; or all, also the "
+                     "artist's edges and where objects cut each other")
+        ->option_text("LINES")
+        ->check(one_of({"contour", "contour+crease", "all"}));
+    command
+        ->add_option("--crease-deg", arguments->crease_deg,
+                     "Edges folded by more are creases; as the styles say, 40 for a bare model")
+        ->option_text("F")
+        ->check(number_in(0.1, 180.0));
+    command->add_option("--style", arguments->styles, "Style nodes, such as '*=pen_and_ink'; as often as wanted")
+        ->option_text("GLOB=STYLE");
+    command->add_option("--runs", arguments->runs, "Find the lines so many times and tell the median time")
+        ->option_text("N")
+        ->check(whole_number_in(1, 1'000));
+    add_plugin_dir_argument(*command, arguments->plugin_dirs);
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { draw_lines(*arguments); });
+}
+
+}  // namespace hw

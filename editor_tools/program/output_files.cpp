@@ -1,0 +1,104 @@
+#include "program/output_files.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+/// One spelling for all names of a file: absolute, symbolic links followed.
+fs::path one_spelling(const fs::path& file)
+{
+    std::error_code failed;
+    const fs::path absolute = fs::absolute(file, failed);
+    fs::path spelling = failed ? file : fs::weakly_canonical(absolute, failed);
+    if (failed) spelling = file.lexically_normal();
+    return spelling.has_filename() ? spelling : spelling.parent_path();
+}
+
+fs::path without_last_slash(const fs::path& folder)
+{
+    return folder.has_filename() ? folder : folder.parent_path();
+}
+
+}  // namespace
+
+void require_folder(const fs::path& folder, const std::string& option)
+{
+    std::error_code failed;
+    const fs::path place = folder.empty() ? fs::path(".") : folder;
+    const auto refuse = [&](const std::string& why) {
+        return Error({.what = option + ": " + why + place.string(), .expected = "a folder that lets files be written"});
+    };
+    if (!fs::is_directory(place, failed)) throw refuse("there is no folder ");
+    if (::access(place.c_str(), W_OK | X_OK) != 0) throw refuse("nothing can be written into the folder ");
+}
+
+void require_writable(const fs::path& file, const std::string& option)
+{
+    if (file.empty()) return;
+    // Files are replaced by renaming, so the folder's permission decides.
+    require_folder(file.parent_path(), option);
+    std::error_code failed;
+    if (fs::is_directory(file, failed))
+        throw Error(
+            {.what = option + ": is a folder", .file = file.string(), .expected = "a file that can be written"});
+}
+
+void require_writable_folder(const fs::path& folder, const std::string& option)
+{
+    std::error_code failed;
+    if (fs::is_directory(folder, failed)) return require_folder(folder, option);
+    if (fs::exists(fs::symlink_status(folder, failed)))
+        throw Error(
+            {.what = option + ": is no folder", .file = folder.string(), .expected = "a folder, or a new name"});
+    require_folder(without_last_slash(folder).parent_path(), option);
+}
+
+void require_distinct(const std::vector<OutputFile>& outputs, const std::vector<fs::path>& inputs)
+{
+    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+        if (output->file.empty()) continue;
+        const fs::path spelling = one_spelling(output->file);
+        const auto refuse = [&](const std::string& why) {
+            return Error(
+                {.what = output->option + ": " + why, .file = output->file.string(), .expected = "another name"});
+        };
+        for (const fs::path& input : inputs)
+            if (!input.empty() && one_spelling(input) == spelling) throw refuse("is a file that is read");
+        for (auto other = outputs.begin(); other != output; ++other)
+            if (!other->file.empty() && one_spelling(other->file) == spelling)
+                throw refuse("is the file of " + other->option);
+    }
+}
+
+void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<fs::path>& inputs)
+{
+    for (const OutputFile& output : outputs) require_writable(output.file, output.option);
+    require_distinct(outputs, inputs);
+}
+
+void require_unread(const std::vector<OutputFile>& outputs)
+{
+    require_distinct(outputs, files_read());
+}
+
+bool is_in_folder(const fs::path& file, const fs::path& folder)
+{
+    return one_spelling(file).parent_path() == one_spelling(folder);
+}
+
+void make_folder(const fs::path& folder)
+{
+    std::error_code failed;
+    fs::create_directory(without_last_slash(folder), failed);
+    if (failed) throw Error({.what = "the folder cannot be made: " + failed.message(), .file = folder.string()});
+}
+
+}  // namespace hw

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/core/progress.hpp"
+#include "hatchway/gl/context.hpp"
+#include "hatchway/io/images/images.hpp"
+#include "program/arguments.hpp"
+#include "program/commands.hpp"
+#include "program/level/level_doubts.hpp"
+#include "program/option_rules.hpp"
+#include "program/output_files.hpp"
+#include "program/pictures/shots.hpp"
+#include "program/pictures/stats_text.hpp"
+#include "program/pictures/world_shown.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+struct RenderArguments {
+    LevelArguments level;
+    ShotArguments shots;
+    ShowArguments show;
+    std::string size = "1280x720";
+    fs::path out;
+    int samples = 4;
+    std::string lines = "automatic";
+    std::string part = "1/1";
+    bool has_stats = false;
+    fs::path json;
+};
+
+const std::map<std::string, LinePath> kLinePaths{
+    {"automatic", LinePath::automatic}, {"native", LinePath::native}, {"quads", LinePath::quads}};
+
+bool is_path(const RenderArguments& arguments)
+{
+    return !arguments.shots.path.empty();
+}
+
+fs::path picture_file(const RenderArguments& arguments, std::size_t index)
+{
+    return is_path(arguments) ? arguments.out / fmt::format("frame_{:04}.png", index) : arguments.out;
+}
+
+/// All that is written: the JSON file and `pictures` pictures, or one.
+std::vector<OutputFile> output_files(const RenderArguments& arguments, std::size_t pictures)
+{
+    std::vector<OutputFile> outputs{{"--json", arguments.json}};
+    for (std::size_t i = 0; i < pictures; ++i) outputs.push_back({"--out", picture_file(arguments, i)});
+    return outputs;
+}
+
+/// Every `of`-th picture from number `first`, both counted from 1.
+struct Part {
+    std::size_t first = 1;
+    std::size_t of = 1;
+    bool has(std::size_t picture) const { return picture % of == first - 1; }
+};
+
+Part part_of(const RenderArguments& arguments)
+{
+    const std::string& text = arguments.part;
+    const char* end = text.data() + text.size();
+    Part part;
+    const auto [sign, first_status] = std::from_chars(text.data(), end, part.first);
+    const bool has_sign = first_status == std::errc() && sign != end && *sign == '/';
+    const auto [stop, of_status] = std::from_chars(has_sign ? sign + 1 : end, end, part.of);
+    if (!has_sign || of_status != std::errc() || stop != end || part.first < 1 || part.first > part.of)
+        throw Error({.what = "--part " + text, .expected = "K/N, 1 <= K <= N, such as 3/8"});
+    return part;
+}
+
+void check_arguments(const RenderArguments& arguments)
+{
+    parse_size(arguments.size);
+    part_of(arguments);
+    check_shot_arguments(arguments.shots);
+    require_outputs(output_files(arguments, is_path(arguments) ? 0 : 1), {arguments.level.file});
+    if (is_path(arguments))
+        require_writable_folder(arguments.out, "--out");
+    else if (arguments.out.extension() != ".png")
+        throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .png"});
+}
+
+FrameOptions frame_options(const RenderArguments& arguments)
+{
+    FrameOptions options;
+    options.samples = arguments.samples;
+    options.use_pvs = !arguments.level.without_pvs;
+    options.line_path = kLinePaths.at(arguments.lines);
+    options.is_timed = arguments.has_stats || !arguments.json.empty();
+    return options;
+}
+
+JsonValue result_json(const RenderArguments& arguments, const Context& context)
+{
+    JsonValue result = JsonValue::object();
+    result.set("level", arguments.level.file.string()).set("size", arguments.size);
+    result.set("samples", arguments.samples).set("pvs", !arguments.level.without_pvs);
+    result.set("device", context.device().renderer);
+    return result;
+}
+
+void render(const RenderArguments& arguments)
+{
+    check_arguments(arguments);
+    const glm::ivec2 size = parse_size(arguments.size);
+    const auto context = make_headless_context();
+    require_fits(size, context->device());
+    Stage stage(*context, stage_options(arguments.level, CompiledUse::reused));
+    warn_of_idle_styles(stage.level(), stage.scene(), arguments.level.styles.size());
+    const Part part = part_of(arguments);
+    const std::vector<Shot> shots =
+        shots_of(arguments.shots, stage.level(), stage.scene(), static_cast<double>(size.x) / size.y);
+    require_unread(output_files(arguments, shots.size()));
+    if (is_path(arguments)) make_folder(arguments.out);
+
+    FrameOptions options = frame_options(arguments);
+    const std::vector<Leak> leaks =
+        arguments.show.has_leaks ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
+    JsonValue frames = JsonValue::array();
+    Progress progress("Rendering", shots.size());
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        if (!part.has(i)) continue;
+        View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
+        view.time_s = shots[i].time_s;
+        options.overlay.lines = shown_lines(stage.world(), arguments.show, leaks, view, size);
+        const FrameStats stats = stage.draw(view, options);
+        const fs::path file = picture_file(arguments, i);
+        write_png(file, stage.renderer().read_picture());
+        frames.push(stats_json(stats).set("file", file.string()).set("time_s", shots[i].time_s));
+        if (!is_path(arguments) || arguments.has_stats) std::cout << file.string() << '\n';
+        if (arguments.has_stats) std::cout << stats_text(stats);
+        progress.advance();
+    }
+    for (const std::string& message : stage.messages()) log_warning(message);
+    if (!arguments.json.empty())
+        write_json(arguments.json, result_json(arguments, *context).set("frames", std::move(frames)));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "Draws pictures of a level, from a camera or along a path");
+    add_level_arguments(*command, arguments->level);
+    add_shot_arguments(*command, arguments->shots);
+    add_show_arguments(*command, arguments->show);
+    command->add_option("--size", arguments->size, "Size of the picture in pixels, 1280x720")->option_text("WxH");
+    command->add_option("--out", arguments->out, "The PNG file; with --path a folder for frame_0000.png and on")
+        ->required()
+        ->option_text("FILE.png|DIR");
+    command->add_option("--samples", arguments->samples, "Samples for each pixel, 1 or 4")
+        ->option_text("N")
+        ->check(one_of({"1", "4"}));
+    command->add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
+        ->option_text("WAY")
+        ->check(one_of({"automatic", "native", "quads"}));
+    command
+        ->add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
+        ->option_text("K/N");
+    command->add_flag("--stats", arguments->has_stats, "Print what each frame did");
+    add_json_argument(*command, arguments->json);
+    command->callback([arguments] { render(*arguments); });
+}
+
+}  // namespace hw

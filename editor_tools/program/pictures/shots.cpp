@@ -1,0 +1,118 @@
+#include "program/pictures/shots.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/stage/whole_scene.hpp"
+#include "hatchway/world/camera_path.hpp"
+#include "program/arguments.hpp"
+#include "program/option_rules.hpp"
+
+namespace hw {
+namespace {
+
+constexpr double kDefaultFovDeg = 60.0;
+
+CameraPlace place_of(const Camera& camera)
+{
+    return {camera.eye_world, camera.target_world, camera.fov_deg};
+}
+
+CameraPlace named_camera(const std::string& name, const Level& level, const Scene& scene)
+{
+    if (const auto found = level.cameras.find(name); found != level.cameras.end()) return place_of(found->second);
+    const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
+                                    [&](const Camera& camera) { return camera.name == name; });
+    if (found != scene.cameras.end()) return place_of(*found);
+
+    std::vector<std::string> names;
+    for (const auto& [known, camera] : level.cameras) names.push_back(known);
+    for (const Camera& camera : scene.cameras) names.push_back(camera.name);
+    throw Error({.what = fmt::format("--camera: there is no camera \"{}\"", name),
+                 .file = level.file.string(),
+                 .expected = names.empty() ? "--eye and --target: this level has no cameras"
+                                           : fmt::format("one of: {}", fmt::join(names, ", "))});
+}
+
+CameraPath named_path(const std::string& name, const Level& level, const Scene& scene, double aspect)
+{
+    if (const auto found = level.paths.find(name); found != level.paths.end()) return found->second;
+    if (name == kTour) log_info("the level has no path \"tour\": going once around the scene");
+    if (name == kTour || name == kTurntable) return turntable(scene, aspect);
+
+    std::vector<std::string> names;
+    for (const auto& [known, path] : level.paths) names.push_back(known);
+    names.emplace_back(kTurntable);
+    throw Error({.what = fmt::format("--path: there is no path \"{}\"", name),
+                 .file = level.file.string(),
+                 .expected = fmt::format("one of: {}", fmt::join(names, ", "))});
+}
+
+std::vector<Shot> shots_along(const CameraPath& path, const ShotArguments& arguments)
+{
+    const int count = arguments.frames.value_or(path_frame_count(path));
+    const double first_s = path.keys.front().t_s;
+    const double span_s = path.keys.back().t_s - first_s;
+    std::vector<Shot> shots;
+    for (int frame = 0; frame < count; ++frame) {
+        const double even_s = first_s + (count > 1 ? span_s * frame / (count - 1) : 0.0);
+        const double time_s = arguments.frames ? even_s : path_frame_time(path, frame);
+        shots.push_back({place_of(camera_at(path, time_s)), time_s});
+        if (arguments.fov_deg) shots.back().camera.fov_deg = *arguments.fov_deg;
+    }
+    return shots;
+}
+
+}  // namespace
+
+void add_shot_arguments(CLI::App& command, ShotArguments& arguments)
+{
+    command.add_option("--camera", arguments.camera, "A camera of the level or the model")->option_text("NAME");
+    command.add_option("--eye", arguments.eye, "Where to look from, metres, y up")->option_text("X,Y,Z");
+    command.add_option("--target", arguments.target, "What to look at")->option_text("X,Y,Z");
+    command.add_option("--fov-deg", arguments.fov_deg, "Vertical field of view")
+        ->option_text("F")
+        ->check(number_in(1.0, 170.0));
+    command.add_option("--path", arguments.path, "A camera path of the level, or turntable")->option_text("NAME");
+    command.add_option("--frames", arguments.frames, "That many pictures, spread evenly over the path")
+        ->option_text("N")
+        ->check(whole_number_in(1, 100'000));
+    command.add_option("--time-s", arguments.time_s, "The time that the styles see, without a path")
+        ->option_text("T")
+        ->check(number_in(-1e9, 1e9));
+}
+
+void check_shot_arguments(const ShotArguments& arguments)
+{
+    const int ways = !arguments.camera.empty() + !arguments.eye.empty() + !arguments.path.empty();
+    if (ways > 1)
+        throw Error({.what = "more than one of --camera, --eye and --path", .expected = "one of them, or none"});
+    if (arguments.eye.empty() != arguments.target.empty())
+        throw Error({.what = arguments.eye.empty() ? "--target without --eye" : "--eye without --target",
+                     .expected = "both or none"});
+    if (!arguments.eye.empty() && parse_vector(arguments.eye, "--eye") == parse_vector(arguments.target, "--target"))
+        throw Error({.what = "--eye and --target are the same place", .expected = "two places"});
+    if (arguments.frames && arguments.path.empty())
+        throw Error({.what = "--frames without --path", .expected = "a path to spread them over"});
+}
+
+std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, const Scene& scene, double aspect)
+{
+    if (!arguments.path.empty()) return shots_along(named_path(arguments.path, level, scene, aspect), arguments);
+    Shot shot{{}, arguments.time_s};
+    if (!arguments.camera.empty())
+        shot.camera = named_camera(arguments.camera, level, scene);
+    else if (!arguments.eye.empty())
+        shot.camera = {parse_vector(arguments.eye, "--eye"), parse_vector(arguments.target, "--target"),
+                       kDefaultFovDeg};
+    else
+        shot.camera = whole_scene_camera(scene, aspect);
+    if (arguments.fov_deg) shot.camera.fov_deg = *arguments.fov_deg;
+    return {shot};
+}
+
+}  // namespace hw

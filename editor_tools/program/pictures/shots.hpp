@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hatchway/render/view/camera_view.hpp"
+#include "hatchway/stage/stage.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace hw {
+
+/// How a command line says from where to look.
+struct ShotArguments {
+    std::string camera;
+    std::string eye;
+    std::string target;
+    std::optional<double> fov_deg;
+    std::string path;
+    std::optional<int> frames;
+    double time_s = 0.0;
+};
+
+/// One picture: a camera at a time.
+struct Shot {
+    CameraPlace camera;
+    double time_s = 0.0;
+};
+
+/// The paths that every level has: its own of that name, else once around the scene.
+inline constexpr const char* kTour = "tour";
+inline constexpr const char* kTurntable = "turntable";
+
+void add_shot_arguments(CLI::App& command, ShotArguments& arguments);
+
+/// Checks what can be checked before a level is opened. Throws hw::Error.
+void check_shot_arguments(const ShotArguments& arguments);
+
+/// The pictures to make: of the camera, the eye and target, or the path that the arguments name; else of one camera
+/// that sees the whole scene. Throws hw::Error that lists the cameras or paths that exist.
+std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, const Scene& scene, double aspect);
+
+}  // namespace hw

@@ -1,0 +1,396 @@
+#include "program/pictures/walk_session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <thread>
+#include <utility>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/io/images/images.hpp"
+#include "hatchway/render/view/camera_view.hpp"
+#include "hatchway/stage/whole_scene.hpp"
+#include "hatchway/world/camera_path.hpp"
+#include "program/level/level_doubts.hpp"
+#include "program/pictures/shots.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kSoftwareFps = 30.0, kDeviceFps = 60.0;
+constexpr double kFpsPull_s = 0.4;        // the rate on screen follows frames in about this time
+constexpr double kAskAgain_s = 5.0;       // a question waits so long for the second press
+constexpr double kSmallestWindow_px = 1;  // a minimised window has none
+constexpr std::chrono::milliseconds kIdle(50);
+
+bool is_software(const DeviceInfo& device)
+{
+    const std::string& name = device.renderer;
+    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
+           name.find("SwiftShader") != std::string::npos;
+}
+
+double aspect_of(const Window& window)
+{
+    const glm::ivec2 size = window.framebuffer_size_px();
+    return size.y > 0 ? static_cast<double>(size.x) / size.y : 1.0;
+}
+
+Camera start_camera(const Level& level, const Scene& scene, double aspect)
+{
+    if (level.start) return {.name = "start", .eye_world = level.start->position, .target_world = level.start->look_at};
+    const CameraPlace place = whole_scene_camera(scene, aspect);
+    return {
+        .name = "overview", .eye_world = place.eye_world, .target_world = place.target_world, .fov_deg = place.fov_deg};
+}
+
+bool wants_to_move(const PlayerInput& input)
+{
+    return input.forward != 0.0 || input.right != 0.0 || input.up != 0.0 || input.turn_left != 0.0 ||
+           input.turn_up != 0.0 || input.look_left_rad != 0.0 || input.look_up_rad != 0.0;
+}
+
+std::string camera_arguments(const Camera& camera)
+{
+    const auto text = [](const glm::dvec3& p) { return fmt::format("{:.4f},{:.4f},{:.4f}", p.x, p.y, p.z); };
+    return fmt::format("--eye {} --target {} --fov-deg {:.4g}", text(camera.eye_world), text(camera.target_world),
+                       camera.fov_deg);
+}
+
+}  // namespace
+
+WalkSession::WalkSession(Window& window, WalkOptions options) : window_(window), options_(std::move(options))
+{
+    const double usual_fps = is_software(window.device()) ? kSoftwareFps : kDeviceFps;
+    goal_.target_fps = options_.target_fps > 0.0 ? options_.target_fps : usual_fps;
+    open(stage_options(options_.level, CompiledUse::reused));
+    warn_of_idle_styles(stage_->level(), stage_->scene(), options_.level.styles.size());
+    Camera first = start_camera(stage_->level(), stage_->scene(), aspect_of(window));
+    if (!options_.camera.empty()) first = camera_named(options_.camera, stage_->level(), stage_->scene());
+    place(first);
+}
+
+void WalkSession::open(const StageOptions& stage_options)
+{
+    stage_ = std::make_unique<Stage>(window_, stage_options);
+    styles_ = std::make_unique<WalkStyles>(*stage_);
+    build_worlds();
+    window_.set_title(stage_->level().file.filename().string() + " - Hatchway");
+}
+
+void WalkSession::build_worlds()
+{
+    pick_world_ = build_pick_world(stage_->scene());
+    leaks_ = options_.show.has_leaks ? told_leaks(stage_->level(), stage_->scene()) : std::vector<Leak>();
+    collides_.clear();
+    build_own_collision();
+    body_ = body_for(stage_->scene().bounds_world, is_level_file(stage_->level().file));
+}
+
+void WalkSession::build_own_collision()
+{
+    std::vector<char> collides;
+    for (const ObjectLook& look : stage_->looks()) collides.push_back(look.collides);
+    if (collides == collides_) return;
+    collides_ = std::move(collides);
+    own_collision_.reset();
+    if (std::find(collides_.begin(), collides_.end(), 0) != collides_.end())
+        own_collision_ = build_collision_world(stage_->scene(), stage_->looks());
+}
+
+void WalkSession::place(const Camera& camera)
+{
+    player_ = placed_at(camera, body_, collision());
+    fov_deg_ = camera.fov_deg;
+    playing_.reset();
+}
+
+void WalkSession::run()
+{
+    start_ = Clock::now();  // a style's time does not pass while a level is opened
+    while (!window_.should_close()) frame();
+    if (styles_->has_unsaved()) log_warning("closed with style changes that were not saved");
+}
+
+void WalkSession::frame()
+{
+    const double now = now_s();
+    const double seconds = std::exchange(last_frame_s_, now);
+    take_input(now - seconds);
+    reload();
+    if (window_.framebuffer_size_px().x < kSmallestWindow_px || window_.framebuffer_size_px().y < kSmallestWindow_px) {
+        std::this_thread::sleep_for(kIdle);
+        return;
+    }
+    draw();
+    // A software renderer has no display to wait for, and would take the whole machine.
+    const double spare_s = now + 1.0 / kDeviceFps - now_s();
+    if (is_software(window_.device()) && spare_s > 0.0)
+        std::this_thread::sleep_for(std::chrono::duration<double>(spare_s));
+    const double frame_s = std::max(now_s() - now, 1e-4);
+    frame_s_ = std::lerp(frame_s_, frame_s, 1.0 - std::exp(-frame_s / kFpsPull_s));
+}
+
+void WalkSession::take_input(double seconds)
+{
+    const Controls controls = controls_after(controls_, window_.poll());
+    controls_ = controls.state;
+    for (const CommandCall& call : controls.commands) obey(call);
+    if (playing_ && wants_to_move(controls.player)) place(camera());
+    if (!playing_) move(controls.player, seconds);
+    if (playing_ && now_s() - playing_->since_s > playing_->path.keys.back().t_s - playing_->path.keys.front().t_s)
+        place(camera());
+}
+
+void WalkSession::move(const PlayerInput& input, double seconds)
+{
+    const std::uint32_t before = player_.put_back_count;
+    player_ = step(player_, input, body_, collision(), seconds);
+    if (player_.put_back_count != before) tell("You fell out of the world: back where you stood last");
+}
+
+void WalkSession::obey(const CommandCall& call)
+{
+    const auto cycle = [this](int direction) -> std::string {
+        const auto object = aimed_object();
+        return object ? styles_->cycle(*object, direction) : "There is nothing under the cross-hair";
+    };
+    switch (call.command) {
+        case Command::quit:
+            return quit();
+        case Command::capture_mouse:
+            return window_.capture_cursor(true);
+        case Command::release_mouse:
+            return window_.capture_cursor(false);
+        case Command::toggle_flight:
+            player_ = with_flight_toggled(player_, body_);
+            return;
+        case Command::go_to_camera:
+            return go_to_camera(call.number);
+        case Command::next_style:
+            return tell_result([&] { return cycle(1); });
+        case Command::previous_style:
+            return tell_result([&] { return cycle(-1); });
+        case Command::save_level:
+            return tell_result([this] { return save_level(); });
+        case Command::undo:
+            return tell_result([this] { return styles_->undo(); });
+        case Command::redo:
+            return tell_result([this] { return styles_->redo(); });
+        case Command::save_picture:
+            return tell_result([this] { return save_picture(); });
+        case Command::toggle_help:
+            is_help_shown_ = !is_help_shown_;
+            return;
+        case Command::toggle_statistics:
+            are_statistics_shown_ = !are_statistics_shown_;
+            return;
+        case Command::play_path:
+            return play_path();
+    }
+}
+
+void WalkSession::go_to_camera(int number)
+{
+    if (number == 0) return place(start_camera(stage_->level(), stage_->scene(), aspect_of(window_)));
+    const std::vector<Camera> cameras = walk_cameras(stage_->level(), stage_->scene());
+    const auto index = static_cast<std::size_t>(number - 1);
+    if (index >= cameras.size())
+        return tell(cameras.empty() ? "This level has no cameras" : fmt::format("There is no camera {}", number));
+    place(cameras[index]);
+    tell(cameras[index].name);
+}
+
+void WalkSession::play_path()
+{
+    if (playing_) return place(camera());
+    const auto& paths = stage_->level().paths;
+    Playing playing{.path = turntable(stage_->scene(), aspect_of(window_)), .since_s = now_s()};
+    if (!paths.empty()) playing.path = paths.count("tour") ? paths.at("tour") : paths.begin()->second;
+    playing_ = std::move(playing);
+}
+
+void WalkSession::quit()
+{
+    if (!styles_->has_unsaved() || now_s() < quit_asked_until_s_) return window_.close();
+    quit_asked_until_s_ = now_s() + kAskAgain_s;
+    tell("Styles were changed: Ctrl+S saves them, the same key again quits without", kAskAgain_s);
+}
+
+std::string WalkSession::save_level()
+{
+    if (is_level_file(stage_->level().file)) return styles_->save();
+    const fs::path level_file = level_file_for(stage_->level().file);
+    if (now_s() > save_asked_until_s_) {
+        save_asked_until_s_ = now_s() + kAskAgain_s;
+        return "This is a bare model without a level file. Ctrl+S again writes " + level_file.string();
+    }
+    const Camera now = camera();
+    const std::string message = styles_->save_as(level_file, {now.eye_world, now.target_world}, options_.level.styles);
+    options_.level.file = level_file;
+    options_.level.styles.clear();
+    const PlayerState kept = player_;
+    open(stage_options(options_.level, CompiledUse::reused));
+    player_ = kept;
+    return message;
+}
+
+std::string WalkSession::save_picture()
+{
+    // As it stands on the screen, at the window's full size and without words over it.
+    const glm::ivec2 size_px = glm::max(window_.framebuffer_size_px(), glm::ivec2(1));
+    stage_->draw(view(size_px, window_.content_scale()),
+                 {.samples = options_.samples.value_or(4), .use_pvs = !options_.level.without_pvs});
+    const fs::path file = free_picture_name({}, stage_->level().file);
+    write_png(file, stage_->renderer().read_picture());
+    std::error_code unknown;
+    const std::string where = fs::absolute(file, unknown).string();
+    log_info(where + ": the same view is " + camera_arguments(camera()));
+    return "Saved " + (where.empty() ? file.string() : where);
+}
+
+void WalkSession::reload()
+{
+    tell_result([this] {
+        const Reload changed = stage_->reload_changed();
+        if (changed == Reload::nothing) return std::string();
+        if (changed == Reload::world) build_worlds();
+        build_own_collision();
+        if (changed == Reload::world) player_ = in_world(player_, body_, collision());
+        styles_->stage_changed();
+        return std::string();
+    });
+}
+
+void WalkSession::draw()
+{
+    const FrameQuality quality = options_.samples ? FrameQuality{*options_.samples, 1.0f} : quality_of(pacing_);
+    const glm::vec2 window_size(window_.framebuffer_size_px());
+    const glm::ivec2 size = glm::max(glm::ivec2(glm::round(window_size * quality.render_scale)), glm::ivec2(1));
+    const float content_scale = window_.content_scale();
+
+    const double before_s = now_s();
+    const View now = view(size, content_scale * quality.render_scale);
+    stats_ = stage_->draw(now, {.samples = quality.samples, .use_pvs = !options_.level.without_pvs, .is_timed = true});
+    const WalkFacts shown = facts(quality, aimed_object(), window_size.x / content_scale);
+    Overlay overlay = walk_overlay(shown);
+    overlay.lines = shown_lines(stage_->world(), options_.show, leaks_, now, window_size / content_scale);
+    stage_->renderer().present(overlay, content_scale);
+    pacing_ = after_frame(pacing_, goal_, 1000.0 * (now_s() - before_s));
+    window_.swap();
+}
+
+double WalkSession::now_s() const
+{
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+Camera WalkSession::camera() const
+{
+    return playing_ ? camera_at(playing_->path, view_time_s()) : camera_of(player_, body_, fov_deg_);
+}
+
+double WalkSession::view_time_s() const
+{
+    return playing_ ? playing_->path.keys.front().t_s + last_frame_s_ - playing_->since_s : last_frame_s_;
+}
+
+View WalkSession::view(glm::ivec2 size_px, float px_scale) const
+{
+    const Camera now = camera();
+    View view =
+        camera_view({now.eye_world, now.target_world, now.fov_deg}, size_px, stage_->scene().bounds_world, px_scale);
+    view.time_s = view_time_s();
+    return view;
+}
+
+std::optional<ObjectId> WalkSession::aimed_object() const
+{
+    const Camera now = camera();
+    const auto hit = pick(pick_world_, now.eye_world, glm::normalize(now.target_world - now.eye_world));
+    return hit ? std::optional(hit->object) : std::nullopt;
+}
+
+WalkFacts WalkSession::facts(const FrameQuality& quality, const std::optional<ObjectId>& aimed, float width)
+{
+    std::erase_if(notices_, [this](const Notice& notice) { return notice.until_s < now_s(); });
+    WalkFacts facts{.is_mouse_captured = controls_.is_mouse_captured,
+                    .is_flying = player_.is_flying,
+                    .is_playing_path = playing_.has_value(),
+                    .is_help_shown = is_help_shown_,
+                    .are_statistics_shown = are_statistics_shown_,
+                    .has_unsaved = styles_->has_unsaved(),
+                    .fps = 1.0 / frame_s_,
+                    .quality = describe(quality),
+                    .stats = stats_,
+                    .problems = stage_->messages(),
+                    .width = width};
+    if (aimed) {
+        const ObjectLook& look = stage_->looks()[*aimed];
+        facts.object = object_name(stage_->scene(), *aimed);
+        facts.style = look.over.empty() ? look.style : look.style + " under " + look.over;
+    }
+    for (const Notice& notice : notices_) facts.notices.push_back(notice.text);
+    if (is_help_shown_)
+        for (const Camera& each : walk_cameras(stage_->level(), stage_->scene())) facts.cameras.push_back(each.name);
+    return facts;
+}
+
+void WalkSession::tell(const std::string& text, double seconds)
+{
+    std::erase_if(notices_, [&](const Notice& notice) { return notice.text == text; });
+    if (!text.empty()) notices_.push_back({text, now_s() + seconds});
+}
+
+template <typename Action>
+void WalkSession::tell_result(Action action)
+{
+    try {
+        tell(action());
+    } catch (const Error& error) {
+        log_error(error.what());
+        tell(error.what(), 2.0 * kAskAgain_s);
+    }
+}
+
+std::vector<Camera> walk_cameras(const Level& level, const Scene& scene)
+{
+    std::vector<Camera> cameras;
+    for (const auto& [name, camera] : level.cameras) {
+        cameras.push_back(camera);
+        cameras.back().name = name;
+    }
+    cameras.insert(cameras.end(), scene.cameras.begin(), scene.cameras.end());
+    return cameras;
+}
+
+Camera camera_named(const std::string& name, const Level& level, const Scene& scene)
+{
+    const std::vector<Camera> cameras = walk_cameras(level, scene);
+    std::vector<std::string> names;
+    for (const Camera& camera : cameras) {
+        if (camera.name == name) return camera;
+        names.push_back(camera.name);
+    }
+    throw Error({.what = fmt::format("--camera: there is no camera \"{}\"", name),
+                 .file = level.file.string(),
+                 .expected = names.empty() ? "no --camera: this level has none"
+                                           : fmt::format("one of: {}", fmt::join(names, ", "))});
+}
+
+fs::path free_picture_name(const fs::path& folder, const fs::path& level_file)
+{
+    const std::string name = level_file.filename().string();
+    const std::string stem = name.substr(0, name.find('.'));
+    for (int number = 1;; ++number) {
+        const fs::path file = folder / fmt::format("{}_{:03}.png", stem, number);
+        std::error_code failed;
+        if (!fs::exists(fs::symlink_status(file, failed))) return file;
+    }
+}
+
+}  // namespace hw

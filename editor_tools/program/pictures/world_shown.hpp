@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hatchway/stage/stage.hpp"
+#include "hatchway/walk/world_lines.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace hw {
+
+/// How a command line asks for lines that explain a level's visibility.
+struct ShowArguments {
+    std::vector<std::string> kinds;
+    bool has_leaks = false;
+};
+
+void add_show_arguments(CLI::App& command, ShowArguments& arguments);
+
+/// The ways out of a level, each told in a line of the log; one line when there is none. Throws hw::Error for a level
+/// that names no place to look from.
+std::vector<Leak> told_leaks(const Level& level, const Scene& scene);
+
+/// A leak in words, without a line break.
+std::string leak_text(const Leak& leak);
+
+/// The lines that were asked for, as `view` shows them in a picture of `size_px` logical pixels.
+std::vector<OverlayLine> shown_lines(const LevelWorld& world, const ShowArguments& arguments,
+                                     const std::vector<Leak>& leaks, const View& view, const glm::vec2& size_px);
+
+}  // namespace hw

@@ -1,0 +1,56 @@
+#include "hatchway/geometry/lines/face_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hw {
+namespace {
+
+constexpr std::uint32_t kLeaf = 8;
+
+}  // namespace
+
+FaceTree::FaceTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size())
+{
+    std::iota(order_.begin(), order_.end(), 0u);
+    if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()));
+}
+
+void FaceTree::build(std::uint32_t begin, std::uint32_t end)
+{
+    const std::size_t own = nodes_.size();
+    nodes_.push_back({{}, begin, end, 0});
+    for (std::uint32_t i = begin; i < end; ++i) nodes_[own].box.add(boxes_[order_[i]]);
+    if (end - begin <= kLeaf) return;
+    const glm::dvec3 size = nodes_[own].box.size();
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    const auto centre = [&](std::uint32_t i) { return boxes_[i].min[axis] + boxes_[i].max[axis]; };
+    std::nth_element(
+        order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+        [&](std::uint32_t a, std::uint32_t b) { return centre(a) != centre(b) ? centre(a) < centre(b) : a < b; });
+    build(begin, middle);
+    nodes_[own].second = static_cast<std::uint32_t>(nodes_.size());
+    build(middle, end);
+}
+
+void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found) const
+{
+    std::vector<std::uint32_t> open;
+    if (!nodes_.empty()) open.push_back(0);
+    while (!open.empty()) {
+        const std::uint32_t at = open.back();
+        open.pop_back();
+        const Node& node = nodes_[at];
+        if (!node.box.overlaps(box)) continue;
+        if (node.second != 0) {
+            open.push_back(at + 1);
+            open.push_back(node.second);
+            continue;
+        }
+        for (std::uint32_t i = node.begin; i < node.end; ++i)
+            if (boxes_[order_[i]].overlaps(box)) found.push_back(order_[i]);
+    }
+}
+
+}  // namespace hw

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hatchway/core/box.hpp"
+
+namespace hw {
+
+/// Boxes in a tree, to find those that meet a box without looking at all.
+class FaceTree {
+ public:
+    explicit FaceTree(std::vector<Box> boxes);
+
+    /// Appends the numbers of the boxes that meet `box`, in no order.
+    void find(const Box& box, std::vector<std::uint32_t>& found) const;
+
+ private:
+    struct Node {
+        Box box;
+        std::uint32_t begin, end;  ///< Of `order_`.
+        std::uint32_t second;      ///< The second child; the first comes next. 0: a leaf.
+    };
+    void build(std::uint32_t begin, std::uint32_t end);
+
+    std::vector<Box> boxes_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace hw

@@ -1,0 +1,245 @@
+// Each length is spread over the 27 nodes around it and collected from the 27 nodes around a place, both by quadratic
+// B-splines: smooth, and a straight line through the place always counts about the same, wherever it lies between
+// nodes.
+#include "hatchway/geometry/lines/line_crowding.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "hatchway/core/box.hpp"
+
+namespace hw {
+namespace {
+
+constexpr double kWindowsAcross = 256.0;   // smallest windows along an object's largest extent, at most
+constexpr double kMostSamples = 131072.0;  // about: fine meshes get wider windows
+constexpr float kCreaseShare = 0.75f;      // of a crease: from how many places one of its two faces is seen
+constexpr float kTurn = 0.25f;             // share of a smooth edge for each radian of its fold, see crowding_lines()
+constexpr float kScaleStep = 4.0f;
+constexpr float kFreeLines = 2.0f;  // side by side in a window before any is thinned: near views stay whole
+
+/// Weights of three nodes in a row, the middle one closest.
+std::array<float, 3> spline(float off_middle)
+{
+    const float left = 0.5f - off_middle, right = 0.5f + off_middle;
+    return {0.5f * left * left, 0.75f - off_middle * off_middle, 0.5f * right * right};
+}
+
+struct Sample {
+    glm::vec3 place;
+    float length;
+};
+
+/// Where a place lies among nodes.
+struct Nodes {
+    glm::ivec3 middle;
+    std::array<std::array<float, 3>, 3> weights;  ///< By axis.
+
+    Nodes(const glm::vec3& place, float cell)
+    {
+        const glm::vec3 at = place / cell;
+        const glm::vec3 rounded = glm::floor(at + 0.5f);
+        middle = glm::ivec3(rounded);
+        for (int axis = 0; axis < 3; ++axis) weights[axis] = spline(at[axis] - rounded[axis]);
+    }
+    template <typename Use>
+    void for_each(Use&& use) const
+    {
+        for (int x = 0; x < 3; ++x)
+            for (int y = 0; y < 3; ++y)
+                for (int z = 0; z < 3; ++z)
+                    use(middle + glm::ivec3(x - 1, y - 1, z - 1), weights[0][x] * weights[1][y] * weights[2][z]);
+    }
+};
+
+/// Cells of an object are within +-2^10 of its middle at every scale; 0 is no cell.
+std::uint64_t key_of(const glm::ivec3& cell)
+{
+    const auto part = [](int x) { return static_cast<std::uint64_t>(x + (1 << 20)) & 0x1fffff; };
+    return part(cell.x) << 42 | part(cell.y) << 21 | part(cell.z);
+}
+
+/// Cuts lines into samples no longer than `step`.
+std::vector<Sample> sampled(std::span<const CrowdingLine> lines, const glm::vec3& origin, float step)
+{
+    std::vector<Sample> samples;
+    for (const CrowdingLine& line : lines) {
+        const float length = glm::distance(line.ends[0], line.ends[1]);
+        const int count = 1 + static_cast<int>(length / step);
+        for (int i = 0; i < count; ++i) {
+            const float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+            samples.push_back(
+                {glm::mix(line.ends[0], line.ends[1], t) - origin, line.share * length / static_cast<float>(count)});
+        }
+    }
+    return samples;
+}
+
+/// Joins the samples in each cell of a grid to one in their middle.
+std::vector<Sample> joined(std::vector<Sample> samples, float cell)
+{
+    const auto key = [&](const Sample& s) { return key_of(glm::ivec3(glm::floor(s.place / cell))); };
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    order.reserve(samples.size());
+    for (std::uint32_t i = 0; i < samples.size(); ++i) order.emplace_back(key(samples[i]), i);
+    std::sort(order.begin(), order.end());
+    std::vector<Sample> result;
+    for (std::size_t begin = 0; begin < order.size();) {
+        glm::dvec3 moment(0.0);
+        double length = 0.0;
+        std::size_t end = begin;
+        for (; end < order.size() && order[end].first == order[begin].first; ++end) {
+            const Sample& s = samples[order[end].second];
+            moment += static_cast<double>(s.length) * glm::dvec3(s.place);
+            length += s.length;
+        }
+        if (length > 0.0) result.push_back({glm::vec3(moment / length), static_cast<float>(length)});
+        begin = end;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<CrowdingLine> crowding_lines(const Surface& surface, float crease_rad, const Seams* seams,
+                                         std::span<const std::array<glm::vec3, 2>> pieces)
+{
+    const EdgeClasses classes = classes_at(surface, crease_rad);
+    std::vector<CrowdingLine> lines;
+    const auto is_among = [](const std::vector<std::uint32_t>& rising, std::uint32_t edge) {
+        return std::binary_search(rising.begin(), rising.end(), edge);
+    };
+    const auto add = [&](std::uint32_t edge, float share) {
+        const auto [a, b] = edge_vertices(surface, edge);
+        lines.push_back({{surface.positions[a], surface.positions[b]}, share});
+    };
+    const auto add_drawn = [&](EdgeRange range, float share) {
+        for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
+            if (seams && (is_among(seams->hidden, edge) || is_among(seams->partly_hidden, edge))) continue;
+            add(edge, share);
+        }
+    };
+    add_drawn(classes.borders, 1.0f);
+    for (const EdgeRange range : classes.artist) add_drawn(range, kCreaseShare);
+    for (const EdgeRange range : classes.ridges) add_drawn(range, kCreaseShare);
+    for (const EdgeRange range : classes.valleys) add_drawn(range, kCreaseShare);
+    // In a share fold / pi of all views a smooth edge is a silhouette, and such edges zigzag: the picture's line is as
+    // pi / 4 times their length.
+    for (const EdgeRange range : classes.candidates)
+        for (std::uint32_t edge = range.begin; edge < range.end; ++edge) add(edge, kTurn * fold_rad(surface, edge));
+    if (seams)
+        for (const auto& piece : seams->kept) lines.push_back({piece, 1.0f});
+    for (const auto& piece : pieces) lines.push_back({piece, 1.0f});
+    return lines;
+}
+
+LineCrowding::Lengths::Lengths(float cell, std::size_t sample_count) : cell_(cell)
+{
+    std::size_t size = 64;
+    while (size < 8 * sample_count) size *= 2;
+    nodes_.resize(size);
+}
+
+LineCrowding::Lengths::Node& LineCrowding::Lengths::node(std::uint64_t key)
+{
+    std::size_t at = (key * 0x9e3779b97f4a7c15ull) >> 20 & (nodes_.size() - 1);
+    while (nodes_[at].key != key && nodes_[at].key != 0) at = (at + 1) & (nodes_.size() - 1);
+    return nodes_[at];
+}
+
+float LineCrowding::Lengths::length(std::uint64_t key) const
+{
+    return const_cast<Lengths*>(this)->node(key).length;
+}
+
+void LineCrowding::Lengths::grow()
+{
+    std::vector<Node> old(2 * nodes_.size());
+    old.swap(nodes_);
+    for (const Node& n : old)
+        if (n.key != 0) node(n.key) = n;
+}
+
+void LineCrowding::Lengths::add(const glm::vec3& place, float length)
+{
+    Nodes(place, cell_).for_each([&](const glm::ivec3& cell, float weight) {
+        const std::uint64_t key = key_of(cell);
+        Node& at = node(key);
+        used_ += at.key == 0;
+        at.key = key;
+        at.length += weight * length;
+    });
+    if (2 * used_ > nodes_.size()) grow();
+}
+
+float LineCrowding::Lengths::lines_at(const glm::vec3& place) const
+{
+    const Nodes nodes(place, cell_);
+    float sum = 0.0f, own = 1.0f;
+    nodes.for_each([&](const glm::ivec3& cell, float weight) { sum += weight * length(key_of(cell)); });
+    // What a line through the place adds: its length in a window, as much of it as is collected across it.
+    for (const auto& w : nodes.weights) own *= w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    return sum / (cell_ * std::cbrt(own * own));
+}
+
+LineCrowding::LineCrowding(std::span<const CrowdingLine> lines)
+{
+    Box box;
+    double length = 0.0;
+    for (const CrowdingLine& line : lines) {
+        for (const glm::vec3& end : line.ends) box.add(glm::dvec3(end));
+        length += glm::distance(line.ends[0], line.ends[1]);
+    }
+    if (!(length > 0.0)) return;
+    const glm::dvec3 size = box.size();
+    const double extent = std::max({size.x, size.y, size.z});
+    window_ = static_cast<float>(std::max(extent / kWindowsAcross, 2.0 * length / kMostSamples));
+    origin_ = glm::vec3(box.centre());
+    std::vector<Sample> samples = sampled(lines, origin_, 0.5f * window_);
+    float cell = window_;
+    for (int scale = 0; scale < kScales; ++scale, cell *= kScaleStep) {
+        samples = joined(std::move(samples), 0.5f * cell);
+        Lengths& lengths = scales_.emplace_back(cell, samples.size());
+        for (const Sample& s : samples) lengths.add(s.place, s.length);
+    }
+}
+
+glm::vec4 LineCrowding::at(const glm::vec3& place) const
+{
+    glm::vec4 result(0.0f);
+    float most = kFreeLines;
+    for (std::size_t scale = 0; scale < scales_.size(); ++scale) {
+        most = std::max(most, scales_[scale].lines_at(place - origin_));
+        result[static_cast<int>(scale)] = std::log2(most / kFreeLines);
+    }
+    return result;
+}
+
+std::vector<glm::vec4> LineCrowding::at(std::span<const glm::vec3> places) const
+{
+    std::vector<glm::vec4> result(places.size());
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) { result[i] = at(places[i]); });
+    return result;
+}
+
+std::array<glm::vec4, 2> crowding_of_line(const glm::vec4& at_a, const glm::vec4& at_b, const glm::vec4& in_middle)
+{
+    const auto at_end = [&](const glm::vec4& end) { return glm::min(0.5f * (end + in_middle), in_middle); };
+    return {at_end(at_a), at_end(at_b)};
+}
+
+// Between two scales, lines begin to count as late as the larger one allows: their number grows like the window, twice
+// in an octave, or faster where it must.
+float crowded_share(const glm::vec4& crowding, float windows)
+{
+    const float scale = 0.5f * std::log2(std::max(windows, 1e-20f));
+    const int upper = std::clamp(static_cast<int>(std::ceil(scale)), 0, 3);
+    const float least = upper > 0 ? crowding[upper - 1] : 0.0f;
+    const float slope = upper > 0 ? std::max(crowding[upper] - least, 2.0f) : 2.0f;
+    return std::exp2(-std::max(least, crowding[upper] + slope * (scale - static_cast<float>(upper))));
+}
+
+}  // namespace hw

@@ -1,0 +1,295 @@
+#include "hatchway/geometry/lines/line_gather.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "hatchway/geometry/lines/intersections.hpp"
+#include "hatchway/geometry/lines/line_chains.hpp"
+
+namespace hw {
+namespace {
+
+constexpr std::size_t kPositionsPerTask = 4096;
+
+/// On which sides of the picture a point lies, a bit for each. Each side is a half-space, also behind the eye: points
+/// that have a bit in common span nothing that is in the picture.
+unsigned sides_outside(const glm::dvec3& view, const ImageSpace& space)
+{
+    const glm::dvec2 half = 0.5 * space.size_px() / space.focal_px() * view.z;
+    return (view.z < space.near_m() ? 1u : 0u) | (view.x < -half.x ? 2u : 0u) | (view.x > half.x ? 4u : 0u) |
+           (view.y < -half.y ? 8u : 0u) | (view.y > half.y ? 16u : 0u);
+}
+
+/// Fills view and image, and tells whether the object can be in the picture.
+void place_positions(DrawnObject& drawn, const LineObject& object, const ImageSpace& space)
+{
+    const Surface& surface = *object.surface;
+    const glm::dmat4 view_from_object = space.view_from_world() * object.world_from_object;
+    // From the difference to the eye, so that an object far from the origin loses no digits.
+    const glm::dmat3 turn(view_from_object);
+    const bool is_flat = !(std::abs(glm::determinant(turn)) > 0.0);
+    const glm::dvec3 eye = is_flat ? glm::dvec3(0.0) : drawn.eye_object.eye;
+    const glm::dvec3 origin = is_flat ? glm::dvec3(view_from_object[3]) : glm::dvec3(0.0);
+    const std::size_t tasks = (drawn.view.size() + kPositionsPerTask - 1) / kPositionsPerTask;
+    std::vector<unsigned> outside(tasks, ~0u);
+    tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+        const std::size_t end = std::min((task + 1) * kPositionsPerTask, drawn.view.size());
+        for (std::size_t i = task * kPositionsPerTask; i < end; ++i) {
+            drawn.view[i] = origin + turn * (glm::dvec3(surface.positions[i]) - eye);
+            if (drawn.view[i].z >= space.near_m()) drawn.image[i] = space.project(drawn.view[i]);
+            outside[task] &= sides_outside(drawn.view[i], space);
+        }
+    });
+    unsigned all = ~0u;
+    for (const unsigned sides : outside) all &= sides;
+    drawn.is_in_picture = !outside.empty() && all == 0;
+}
+
+/// What is found by one thread, object after object, and the memory that it needs for that.
+struct Gathered {
+    std::vector<ContourLine> contours;
+    std::vector<DrawnLine> lines;
+    SilhouetteScratch scratch;
+};
+
+/// What an object adds to a drawing: a part of what a thread gathered.
+struct ObjectPart {
+    const Gathered* from = nullptr;
+    std::array<std::size_t, 2> contours{};
+    std::array<std::size_t, 2> lines{};
+};
+
+class ObjectGathering {
+ public:
+    ObjectGathering(std::uint32_t index, const LineObject& object, DrawnObject& drawn, const ImageSpace& space,
+                    const VisibleLineOptions& options, Gathered& found)
+        : index_(index),
+          object_(object),
+          drawn_(drawn),
+          space_(space),
+          options_(options),
+          found_(found),
+          scratch_(found.scratch)
+    {
+    }
+
+    ObjectPart run()
+    {
+        // First of all: while its loop waits, this thread may take up another object.
+        place_positions(drawn_, object_, space_);
+        if (!drawn_.is_in_picture) return {};
+        ObjectPart part{&found_, {found_.contours.size(), 0}, {found_.lines.size(), 0}};
+        if (object_.is_culled) {
+            find_facing(*object_.surface, drawn_.eye_object, FacingPrecision::exact, scratch_);
+            std::copy_n(scratch_.facing.begin(), drawn_.is_there.size(), drawn_.is_there.begin());
+        }
+        if (object_.hides) add_contours();
+        if (object_.is_drawn) add_lines();
+        part.contours[1] = found_.contours.size();
+        part.lines[1] = found_.lines.size();
+        return part;
+    }
+
+ private:
+    void add_contour(std::uint32_t edge)
+    {
+        const auto [a, b] = edge_vertices(*object_.surface, edge);
+        const auto part = part_in_picture(space_, drawn_.view[a], drawn_.view[b]);
+        if (part) found_.contours.push_back({part->from, part->to});
+    }
+
+    void add_contours()
+    {
+        const Surface& surface = *object_.surface;
+        for (const std::uint32_t edge : all_silhouettes(surface, drawn_.eye_object, {}, scratch_)) add_contour(edge);
+        const EdgeRange borders = surface.edges.group(EdgeGroup::border);
+        for (std::uint32_t edge = borders.begin; edge < borders.end; ++edge) add_contour(edge);
+    }
+
+    bool is_left_out(std::uint32_t edge) const
+    {
+        const Seams* seams = object_.seams;
+        return seams && (std::binary_search(seams->hidden.begin(), seams->hidden.end(), edge) ||
+                         std::binary_search(seams->partly_hidden.begin(), seams->partly_hidden.end(), edge));
+    }
+
+    std::uint32_t unturned(std::uint32_t face) const
+    {
+        const auto count = static_cast<std::uint32_t>(object_.surface->faces.size());
+        return face < count ? face : object_.surface->filter.twins[face - count].face;
+    }
+
+    /// A face that looks away is not there when faces are culled.
+    bool is_absent(std::uint32_t face) const { return object_.is_culled && drawn_.is_there[face] == 0; }
+
+    /// Whether all faces beside an edge are absent. Complex edges have more faces than the table names.
+    bool is_behind_the_scenes(std::uint32_t edge) const
+    {
+        const auto [a, b] = object_.surface->edges[edge].faces();
+        if (!object_.is_culled || !is_absent(a)) return false;
+        if (b == kNoFace) return true;
+        return edge >= object_.surface->edges.two_faced().begin && is_absent(unturned(b));
+    }
+
+    void add_line(std::uint32_t edge, VisibleLineClass line_class)
+    {
+        if (is_behind_the_scenes(edge)) return;
+        const auto [a, b] = edge_vertices(*object_.surface, edge);
+        const std::array<std::uint32_t, 2> faces = object_.surface->edges[edge].faces();
+        const auto part = part_in_picture(space_, drawn_.view[a], drawn_.view[b]);
+        if (!part || is_left_out(edge)) return;
+        DrawnLine line{index_, line_class, {a, b}, {kNoFace, kNoFace}, *part, edge};
+        for (int side = 0; side < 2; ++side) {
+            const std::uint32_t face = faces[side];
+            if (face != kNoFace) line.faces[side] = drawn_.first_face + unturned(face);
+        }
+        found_.lines.push_back(line);
+    }
+
+    void add_lines()
+    {
+        const Surface& surface = *object_.surface;
+        const auto add_range = [&](EdgeRange range, VisibleLineClass line_class) {
+            for (std::uint32_t edge = range.begin; edge < range.end; ++edge) add_line(edge, line_class);
+        };
+        const float crease_rad = options_.with_creases ? object_.crease_rad : kNoCreases;
+        for (const std::uint32_t edge :
+             drawn_contours(surface, drawn_.eye_object, {.crease_rad = crease_rad}, scratch_)) {
+            add_line(edge, VisibleLineClass::silhouette);
+        }
+        const EdgeClasses classes = classes_at(surface, crease_rad);
+        if (options_.with_creases) {
+            for (const EdgeRange range : classes.ridges) add_range(range, VisibleLineClass::ridge);
+            for (const EdgeRange range : classes.valleys) add_range(range, VisibleLineClass::valley);
+        }
+        if (options_.with_artist) {
+            for (const EdgeRange range : classes.artist) add_range(range, VisibleLineClass::artist);
+        } else {
+            add_marked_silhouettes(classes.artist);
+        }
+        add_range(classes.borders, VisibleLineClass::border);
+        add_kept_parts();
+    }
+
+    /// The artist's edges are drawn anyway and so are no candidates; a drawing of contours alone needs those that are
+    /// silhouettes now.
+    void add_marked_silhouettes(const std::array<EdgeRange, 2>& artist)
+    {
+        if (artist[0].size() + artist[1].size() == 0) return;
+        find_facing(*object_.surface, drawn_.eye_object, FacingPrecision::exact, scratch_);
+        for (const EdgeRange range : artist) {
+            for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
+                const auto [a, b] = object_.surface->edges[edge].faces();
+                if (is_front_facing(scratch_, a) != is_front_facing(scratch_, b)) {
+                    add_line(edge, VisibleLineClass::silhouette);
+                }
+            }
+        }
+    }
+
+    void add_kept_parts()
+    {
+        if (!object_.seams) return;
+        const glm::dmat4 view_from_object = space_.view_from_world() * object_.world_from_object;
+        const auto in_view = [&](const glm::vec3& p) { return glm::dvec3(view_from_object * glm::dvec4(p, 1.0)); };
+        for (const auto& [from, to] : object_.seams->kept) {
+            const auto part = part_in_picture(space_, in_view(from), in_view(to));
+            if (!part) continue;
+            found_.lines.push_back({index_, VisibleLineClass::border, {kFreeEnd, kFreeEnd}, {kNoFace, kNoFace}, *part});
+        }
+    }
+
+    static constexpr float kNoCreases = 3.2f;
+
+    std::uint32_t index_;
+    const LineObject& object_;
+    DrawnObject& drawn_;
+    const ImageSpace& space_;
+    const VisibleLineOptions& options_;
+    Gathered& found_;
+    SilhouetteScratch& scratch_;
+};
+
+void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects, const LineCamera& camera,
+                       const ImageSpace& space, std::span<const IntersectionLine> intersections)
+{
+    const glm::dmat3 turn(space.view_from_world());
+    for (const IntersectionLine& cut : intersections) {
+        const auto part = part_in_picture(space, turn * (cut.ends_world[0] - camera.eye_world),
+                                          turn * (cut.ends_world[1] - camera.eye_world));
+        if (!part) continue;
+        const std::uint32_t owner = cut.objects[shows_intersections(objects[cut.objects[0]]) ? 0 : 1];
+        DrawnLine line{owner, VisibleLineClass::intersection, cut.joints, {}, *part};
+        for (int side = 0; side < 2; ++side)
+            line.faces[side] = drawing.objects[cut.objects[side]].first_face + cut.faces[side];
+        drawing.lines.push_back(line);
+    }
+}
+
+/// The objects, none of them placed yet. What is large is allocated once for all.
+LineDrawing unplaced(std::span<const LineObject> objects, const LineCamera& camera)
+{
+    LineDrawing drawing;
+    std::size_t positions = 0, faces = 0;
+    for (const LineObject& object : objects) {
+        positions += object.surface->positions.size();
+        faces += object.surface->faces.size();
+    }
+    drawing.view.resize(positions);
+    drawing.image.resize(positions);
+    drawing.is_there.resize(faces);
+    std::size_t first_position = 0, first_face = 0;
+    for (const LineObject& object : objects) {
+        const std::size_t count = object.surface->positions.size(), face_count = object.surface->faces.size();
+        drawing.objects.push_back(
+            {.surface = object.surface,
+             .eye_object = in_object({camera.eye_world, false}, object.world_from_object),
+             .first_face = static_cast<std::uint32_t>(first_face),
+             .hides = object.hides,
+             .view = std::span(drawing.view).subspan(first_position, count),
+             .image = std::span(drawing.image).subspan(first_position, count),
+             .is_there = std::span(drawing.is_there).subspan(first_face, object.is_culled ? face_count : 0)});
+        first_position += count;
+        first_face += face_count;
+    }
+    return drawing;
+}
+
+}  // namespace
+
+LineDrawing gather_lines(std::span<const LineObject> objects, const LineCamera& camera, const ImageSpace& space,
+                         const VisibleLineOptions& options)
+{
+    LineDrawing drawing = unplaced(objects, camera);
+    std::vector<ObjectPart> parts(objects.size());
+    tbb::enumerable_thread_specific<Gathered> gathered;
+    tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) {
+        ObjectGathering gathering(static_cast<std::uint32_t>(i), objects[i], drawing.objects[i], space, options,
+                                  gathered.local());
+        parts[i] = gathering.run();
+    });
+    std::size_t contours = 0, lines = 0;
+    for (const Gathered& some : gathered) {
+        contours += some.contours.size();
+        lines += some.lines.size();
+    }
+    drawing.contours.reserve(contours);
+    drawing.lines.reserve(lines + options.intersections.size());
+    const auto append = [](auto& to, const auto& from, const std::array<std::size_t, 2>& range) {
+        to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(range[0]),
+                  from.begin() + static_cast<std::ptrdiff_t>(range[1]));
+    };
+    for (const ObjectPart& part : parts) {
+        if (part.from == nullptr) continue;
+        append(drawing.contours, part.from->contours, part.contours);
+        append(drawing.lines, part.from->lines, part.lines);
+    }
+    add_intersections(drawing, objects, camera, space, options.intersections);
+    return drawing;
+}
+
+}  // namespace hw

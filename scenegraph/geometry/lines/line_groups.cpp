@@ -1,0 +1,175 @@
+// Of two segments that overlap, one has an end on the other. So every segment is strewn into cells along its length,
+// and every end asks its neighbourhood for the segments that it lies on.
+#include "hatchway/geometry/lines/line_groups.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+
+namespace hw {
+namespace {
+
+constexpr double kDriftPerLength = 1e-6;  // lines of rounded ends turn a little
+constexpr std::uint32_t kMostSamples = 4096;
+
+double length_of(const Segment& segment)
+{
+    return glm::distance(segment.from, segment.to);
+}
+
+double distance_to(const glm::dvec3& point, const Segment& segment)
+{
+    const glm::dvec3 along = segment.to - segment.from;
+    const double t = glm::dot(point - segment.from, along) / glm::dot(along, along);
+    return glm::distance(point, segment.from + std::clamp(t, 0.0, 1.0) * along);
+}
+
+/// Whether both ends of a segment lie on the line through a longer one.
+bool is_on_line(const Segment& segment, const Segment& longer, double tolerance)
+{
+    const glm::dvec3 direction = glm::normalize(longer.to - longer.from);
+    for (const glm::dvec3& end : {segment.from, segment.to}) {
+        const glm::dvec3 offset = end - longer.from;
+        const double along = glm::dot(offset, direction);
+        if (glm::length(offset - along * direction) > tolerance + kDriftPerLength * std::abs(along)) return false;
+    }
+    return true;
+}
+
+class LineGroups {
+ public:
+    LineGroups(std::span<const Segment> segments, double tolerance)
+        : segments_(segments), tolerance_(tolerance), root_(segments.size())
+    {
+        for (std::uint32_t i = 0; i < segments.size(); ++i) root_[i] = i;
+        double sum = 0.0;
+        for (const Segment& segment : segments) sum += length_of(segment);
+        cell_ = std::max(64.0 * tolerance, segments.empty() ? 1.0 : sum / static_cast<double>(segments.size()));
+    }
+
+    std::vector<std::vector<std::uint32_t>> run()
+    {
+        strew();
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+            if (!is_used(i)) continue;
+            join_at(i, segments_[i].from);
+            join_at(i, segments_[i].to);
+        }
+        std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_root;
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) by_root[find(i)].push_back(i);
+        std::vector<std::vector<std::uint32_t>> groups;
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+            if (find(i) == i && by_root[i].size() > 1) split_into_lines(std::move(by_root[i]), groups);
+        }
+        return groups;
+    }
+
+ private:
+    struct Entry {
+        std::uint64_t cell;
+        std::uint32_t segment;
+    };
+
+    bool is_used(std::uint32_t i) const { return length_of(segments_[i]) > tolerance_; }
+
+    std::uint64_t cell_key(const glm::dvec3& cell) const
+    {
+        const auto part = [](double x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(x)) & 0x1fffff; };
+        return part(cell.x) << 42 | part(cell.y) << 21 | part(cell.z);  // cells that share a key cost comparisons only
+    }
+
+    void strew()
+    {
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+            if (!is_used(i)) continue;
+            const Segment& segment = segments_[i];
+            const auto count = std::min(kMostSamples, 1 + static_cast<std::uint32_t>(2.0 * length_of(segment) / cell_));
+            std::uint64_t last = ~std::uint64_t{0};
+            for (std::uint32_t k = 0; k <= count; ++k) {
+                const glm::dvec3 at = glm::mix(segment.from, segment.to, static_cast<double>(k) / count);
+                const std::uint64_t key = cell_key(glm::floor(at / cell_));
+                if (key != last) entries_.push_back({key, i});
+                last = key;
+            }
+        }
+        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+            return a.cell != b.cell ? a.cell < b.cell : a.segment < b.segment;
+        });
+        first_.reserve(entries_.size());
+        for (std::uint32_t i = 0; i < entries_.size(); ++i) first_.try_emplace(entries_[i].cell, i);
+    }
+
+    /// Samples are half a cell apart, so that a point of a segment is within a quarter of a cell of one of them.
+    void join_at(std::uint32_t index, const glm::dvec3& end)
+    {
+        const double reach = 0.25 * cell_ + tolerance_;
+        const glm::dvec3 low = glm::floor((end - reach) / cell_), high = glm::floor((end + reach) / cell_);
+        for (double x = low.x; x <= high.x; ++x) {
+            for (double y = low.y; y <= high.y; ++y) {
+                for (double z = low.z; z <= high.z; ++z) join_in_cell(index, end, cell_key({x, y, z}));
+            }
+        }
+    }
+
+    void join_in_cell(std::uint32_t index, const glm::dvec3& end, std::uint64_t cell)
+    {
+        const auto found = first_.find(cell);
+        if (found == first_.end()) return;
+        const Segment& segment = segments_[index];
+        for (std::uint32_t i = found->second; i < entries_.size() && entries_[i].cell == cell; ++i) {
+            const Segment& other = segments_[entries_[i].segment];
+            if (entries_[i].segment == index || other.key != segment.key) continue;
+            if (distance_to(end, other) > tolerance_) continue;
+            const bool is_longer = length_of(segment) > length_of(other);
+            if (is_longer ? is_on_line(other, segment, tolerance_) : is_on_line(segment, other, tolerance_)) {
+                join(index, entries_[i].segment);
+            }
+        }
+    }
+
+    /// Short segments around a curve are pairwise on one line and yet not all: only what lies on the longest is a
+    /// group.
+    void split_into_lines(std::vector<std::uint32_t> members, std::vector<std::vector<std::uint32_t>>& groups) const
+    {
+        while (members.size() > 1) {
+            const std::uint32_t longest = *std::max_element(members.begin(), members.end(), [&](auto a, auto b) {
+                return length_of(segments_[a]) < length_of(segments_[b]);
+            });
+            const auto rest = std::stable_partition(members.begin(), members.end(), [&](std::uint32_t i) {
+                return is_on_line(segments_[i], segments_[longest], tolerance_);
+            });
+            if (rest - members.begin() > 1) groups.emplace_back(members.begin(), rest);
+            members.erase(members.begin(), rest);
+        }
+    }
+
+    std::uint32_t find(std::uint32_t index)
+    {
+        while (root_[index] != index) index = root_[index] = root_[root_[index]];
+        return index;
+    }
+    void join(std::uint32_t a, std::uint32_t b)
+    {
+        a = find(a);
+        b = find(b);
+        if (a < b) std::swap(a, b);
+        root_[a] = b;
+    }
+
+    std::span<const Segment> segments_;
+    double tolerance_;
+    double cell_;
+    std::vector<std::uint32_t> root_;
+    std::vector<Entry> entries_;
+    std::unordered_map<std::uint64_t, std::uint32_t> first_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> group_by_line(std::span<const Segment> segments, double tolerance)
+{
+    return LineGroups(segments, tolerance).run();
+}
+
+}  // namespace hw

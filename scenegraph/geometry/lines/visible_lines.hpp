@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "hatchway/geometry/lines/seams.hpp"
+#include "hatchway/geometry/surface/surface.hpp"
+
+namespace hw {
+
+/// The camera of a line drawing, world space. Up is +y; a camera that looks straight up has +z at the top, one that
+/// looks straight down -z.
+struct LineCamera {
+    glm::dvec3 eye_world{0.0};
+    glm::dvec3 target_world{0.0, 0.0, -1.0};  ///< Not the eye.
+    double fov_rad = 1.0471975512;            ///< Vertical, in (0, pi).
+    glm::ivec2 size_px{1280, 720};            ///< At least 1 x 1.
+    double near_m = 0.01;                     ///< What is closer is cut away. Above 0.
+};
+
+/// One object of a line drawing. All objects hide each other.
+struct LineObject {
+    const Surface* surface = nullptr;
+    glm::dmat4 world_from_object{1.0};
+    float crease_rad = 0.7f;
+    const Seams* seams = nullptr;    ///< Lines that are left out, or null.
+    bool is_drawn = true;            ///< False: it only hides others.
+    bool hides = true;               ///< False: it is seen through.
+    bool with_intersections = true;  ///< Where it goes through others, it has lines.
+    bool is_culled = false;          ///< Faces that look away are not there: they hide nothing and carry no lines.
+};
+
+/// In the order of hw::LineClass of the styles.
+enum class VisibleLineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
+
+inline bool shows_intersections(const LineObject& object)
+{
+    return object.is_drawn && object.with_intersections;
+}
+
+struct IntersectionLine;  // geometry/intersections.hpp
+
+/// Silhouettes and borders are always among the lines.
+struct VisibleLineOptions {
+    bool with_hidden = false;  ///< The hidden parts too, as lines of their own.
+    bool with_creases = true;  ///< Ridges and valleys.
+    bool with_artist = true;   ///< The artist's edges.
+    /// Where objects go through each other: find_intersections() of the same objects, or none. A line belongs to the
+    /// first of its two objects that shows such lines.
+    std::span<const IntersectionLine> intersections;
+};
+
+inline constexpr std::uint32_t kNoEdge = 0xffffffffu;
+
+/// A polyline of the drawing. All of it belongs to one object and class and is visible, or all of it is hidden.
+struct VisibleLine {
+    std::uint32_t object = 0;  ///< Index into the objects given.
+    VisibleLineClass line_class = VisibleLineClass::silhouette;
+    bool is_visible = true;
+    bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
+    std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
+    std::vector<double> inverse_depths;  ///< Of each point: 1 / distance from the plane of the eye, 1 / m.
+    /// Of each segment, the closing one included: the edge of the object's surface that it is a part of, or kNoEdge: an
+    /// intersection, or what seams keep of an edge.
+    std::vector<std::uint32_t> edges;
+};
+
+/// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:
+/// where it crosses a silhouette or a border in the picture, and where it goes through a face. Of each piece the middle
+/// is tested against all faces before it: exactly within an object, between objects with a tolerance of 2e-7 of the
+/// distance, so that lines on a face and on a neighbour's coplanar face stay visible (line_occluders.hpp). Pieces are
+/// joined to polylines at common vertices.
+///
+/// The result is sorted by object and class and does not depend on the number of threads.
+/// Source: Appel. The Notion of Quantitative Invisibility and the Machine Rendering of Solids. ACM 1967, for where
+/// visibility changes.
+std::vector<VisibleLine> find_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
+                                            const VisibleLineOptions& options = {});
+
+}  // namespace hw

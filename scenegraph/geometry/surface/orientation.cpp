@@ -1,0 +1,93 @@
+#include "hatchway/geometry/surface/orientation.hpp"
+
+#include "hatchway/geometry/surface/edge_table.hpp"
+
+namespace hw {
+namespace {
+
+/// What a component's spanning tree says: which faces disagree with its first face, and how well flipping them works.
+struct Component {
+    std::vector<std::uint32_t> faces;
+    std::uint32_t opposed = 0;
+    std::uint32_t inconsistent_before = 0;  // counted once from each side
+    std::uint32_t inconsistent_after = 0;
+};
+
+class WindingWalk {
+ public:
+    WindingWalk(std::vector<FaceCorners>& faces, std::span<const EdgeUse> uses)
+        : faces_(faces), neighbours_(face_neighbours(faces.size(), uses)), is_opposed_(faces.size(), false)
+    {
+        repair_.face_component.assign(faces.size(), kNoFace);
+    }
+
+    WindingRepair run()
+    {
+        for (std::uint32_t face = 0; face < faces_.size(); ++face) {
+            if (repair_.face_component[face] != kNoFace) continue;
+            const Component component = walk_from(face);
+            flip_minority(component);
+            ++repair_.component_count;
+        }
+        return std::move(repair_);
+    }
+
+ private:
+    bool winds_against(std::uint32_t face, int corner, std::uint32_t other) const
+    {
+        const std::uint32_t from = faces_[face][corner], to = faces_[face][(corner + 1) % 3];
+        for (int side = 0; side < 3; ++side) {
+            if (faces_[other][side] == from && faces_[other][(side + 1) % 3] == to) return true;
+        }
+        return false;
+    }
+
+    Component walk_from(std::uint32_t seed)
+    {
+        Component component;
+        component.faces.push_back(seed);
+        repair_.face_component[seed] = repair_.component_count;
+        for (std::size_t next = 0; next < component.faces.size(); ++next) {
+            const std::uint32_t face = component.faces[next];
+            component.opposed += is_opposed_[face];
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t other = neighbours_[face][corner];
+                if (other == kNoFace) continue;
+                const bool against = winds_against(face, corner, other);
+                if (repair_.face_component[other] == kNoFace) {
+                    repair_.face_component[other] = repair_.component_count;
+                    is_opposed_[other] = is_opposed_[face] != against;
+                    component.faces.push_back(other);
+                }
+                component.inconsistent_before += against;
+                component.inconsistent_after += (is_opposed_[face] != is_opposed_[other]) != against;
+            }
+        }
+        return component;
+    }
+
+    void flip_minority(const Component& component)
+    {
+        if (component.inconsistent_after >= component.inconsistent_before) return;
+        const bool flip_opposed = 2 * component.opposed <= component.faces.size();
+        for (const std::uint32_t face : component.faces) {
+            if (is_opposed_[face] != flip_opposed) continue;
+            std::swap(faces_[face][1], faces_[face][2]);
+            ++repair_.flipped_faces;
+        }
+    }
+
+    std::vector<FaceCorners>& faces_;
+    std::vector<FaceCorners> neighbours_;
+    std::vector<bool> is_opposed_;
+    WindingRepair repair_;
+};
+
+}  // namespace
+
+WindingRepair repair_winding(std::vector<FaceCorners>& faces, std::span<const EdgeUse> uses)
+{
+    return WindingWalk(faces, uses).run();
+}
+
+}  // namespace hw

@@ -1,0 +1,74 @@
+#include "hatchway/geometry/surface/smooth_sides.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "hatchway/geometry/surface/directed_edges.hpp"
+
+namespace hw {
+namespace {
+
+std::uint32_t next_corner(std::uint32_t corner)
+{
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i)
+{
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+}  // namespace
+
+SmoothSides find_smooth_sides(const WeldedMesh& mesh, float crease_rad)
+{
+    SmoothSides sides;
+    sides.twin.assign(mesh.faces.size() * 3, kNoSide);
+    sides.is_crease.assign(sides.twin.size(), false);
+    for (const auto& face : mesh.faces) {
+        const glm::vec3& p = mesh.positions[face[0]];
+        const glm::vec3 area = glm::cross(mesh.positions[face[1]] - p, mesh.positions[face[2]] - p);
+        const float size = glm::length(area);
+        sides.normals.push_back(size > 0.0f ? area / size : glm::vec3(0.0f));
+        sides.areas.push_back(0.5f * size);
+    }
+    const float crease_cosine = std::cos(crease_rad);
+    for_each_edge(sorted_edge_uses(mesh.faces), [&](std::span<const EdgeUse> uses) {
+        if (uses.size() != 2 || uses[0].is_forward == uses[1].is_forward) return;
+        const std::uint32_t a = uses[0].face * 3 + uses[0].corner;
+        const std::uint32_t b = uses[1].face * 3 + uses[1].corner;
+        sides.twin[a] = b;
+        sides.twin[b] = a;
+        const glm::vec3& normal_a = sides.normals[uses[0].face];
+        const glm::vec3& normal_b = sides.normals[uses[1].face];
+        const bool has_planes = sides.areas[uses[0].face] > 0.0f && sides.areas[uses[1].face] > 0.0f;
+        const bool is_crease = has_planes && glm::dot(normal_a, normal_b) < crease_cosine;
+        sides.is_crease[a] = sides.is_crease[b] = is_crease;
+        if (is_crease) ++sides.crease_edges;
+    });
+    return sides;
+}
+
+CornerGroups join_corners(const SmoothSides& sides, const std::vector<bool>& is_joined)
+{
+    std::vector<std::uint32_t> parent(sides.twin.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    for (std::uint32_t side = 0; side < parent.size(); ++side) {
+        const std::uint32_t twin = sides.twin[side];
+        if (twin == kNoSide || !is_joined[side]) continue;
+        parent[root_of(parent, side)] = root_of(parent, next_corner(twin));
+        parent[root_of(parent, next_corner(side))] = root_of(parent, twin);
+    }
+    CornerGroups groups;
+    groups.group.assign(parent.size(), kNoSide);
+    for (std::uint32_t corner = 0; corner < parent.size(); ++corner) {
+        const std::uint32_t root = root_of(parent, corner);
+        if (groups.group[root] == kNoSide) groups.group[root] = groups.count++;
+        groups.group[corner] = groups.group[root];
+    }
+    return groups;
+}
+
+}  // namespace hw

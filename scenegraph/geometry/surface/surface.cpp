@@ -1,0 +1,261 @@
+#include "hatchway/geometry/surface/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "hatchway/geometry/exact/predicates.hpp"
+#include "hatchway/geometry/surface/artist_edges.hpp"
+#include "hatchway/geometry/surface/directed_edges.hpp"
+#include "hatchway/geometry/surface/orientation.hpp"
+#include "hatchway/geometry/surface/outline_order.hpp"
+#include "hatchway/geometry/surface/stitch.hpp"
+#include "hatchway/geometry/surface/surface_faces.hpp"
+#include "hatchway/geometry/surface/weld.hpp"
+
+namespace hw {
+namespace {
+
+/// The corner between the other two of a collinear face, exactly.
+int middle_corner(const Surface& surface, const FaceCorners& face)
+{
+    const glm::vec3 p[3] = {surface.positions[face[0]], surface.positions[face[1]], surface.positions[face[2]]};
+    int axis = 0;
+    while (axis < 2 && p[0][axis] == p[1][axis]) ++axis;
+    for (int corner = 0; corner < 3; ++corner) {
+        const float at = p[corner][axis], next = p[(corner + 1) % 3][axis], last = p[(corner + 2) % 3][axis];
+        if ((next < at && at < last) || (last < at && at < next)) return corner;
+    }
+    return 0;
+}
+
+class SurfaceBuild {
+ public:
+    SurfaceBuild(const MeshData& mesh, const SurfaceOptions& options) : mesh_(mesh), options_(options) {}
+
+    Surface run()
+    {
+        weld_and_stitch();
+        repair();
+        inherit_planes();
+        judge_components();
+        collect_edges();
+        mark_artist_edges(inner_, surface_, mesh_, position_of_vertex_, options_.artist_fold_rad);
+        fill_table();
+        surface_.filter.prepare(surface_.positions, surface_.faces);
+        if (surface_.faces.size() >= options_.cluster_from_faces) surface_.clusters.prepare(surface_);
+        return std::move(surface_);
+    }
+
+ private:
+    void weld_and_stitch()
+    {
+        WeldedMesh welded = weld(mesh_);
+        surface_.report.triangles_in = static_cast<std::uint32_t>(mesh_.triangle_count());
+        surface_.report.removed_faces = surface_.report.triangles_in - static_cast<std::uint32_t>(welded.faces.size());
+        surface_.positions = std::move(welded.positions);
+        for (const std::uint32_t face : outline_order(surface_.positions, welded.faces)) {
+            surface_.faces.push_back(welded.faces[face]);
+            surface_.face_triangle.push_back(welded.face_triangle[face]);
+        }
+        position_of_vertex_ = std::move(welded.vertex_position);
+        uses_ = sorted_edge_uses(surface_.faces);
+        const std::vector<FaceCorners> before = surface_.faces;
+        surface_.report.stitched_edges = stitch_borders(surface_.positions, surface_.faces, uses_, stitch_tolerance());
+        if (surface_.report.stitched_edges == 0) return;
+        drop_unused_positions(before);
+        uses_ = sorted_edge_uses(surface_.faces);
+    }
+
+    float stitch_tolerance() const
+    {
+        if (surface_.positions.empty()) return 0.0f;
+        glm::vec3 low = surface_.positions[0], high = low;
+        for (const glm::vec3& p : surface_.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        const double diagonal = glm::distance(glm::dvec3(low), glm::dvec3(high));
+        return static_cast<float>(options_.stitch_share * diagonal);
+    }
+
+    void drop_unused_positions(const std::vector<FaceCorners>& before)
+    {
+        std::vector<std::uint32_t> new_id(surface_.positions.size(), kNoFace);
+        std::vector<glm::vec3> kept;
+        std::vector<std::uint32_t> stitched_to(surface_.positions.size());
+        for (std::size_t face = 0; face < before.size(); ++face) {
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t id = surface_.faces[face][corner];
+                if (new_id[id] == kNoFace) {
+                    new_id[id] = static_cast<std::uint32_t>(kept.size());
+                    kept.push_back(surface_.positions[id]);
+                }
+                stitched_to[before[face][corner]] = surface_.faces[face][corner] = new_id[id];
+            }
+        }
+        for (std::uint32_t& position : position_of_vertex_) position = stitched_to[position];
+        surface_.positions = std::move(kept);
+    }
+
+    void repair()
+    {
+        WindingRepair repair = repair_winding(surface_.faces, uses_);
+        surface_.face_component = std::move(repair.face_component);
+        surface_.components.resize(repair.component_count);
+        surface_.report.flipped_faces = repair.flipped_faces;
+        if (repair.flipped_faces > 0) uses_ = sorted_edge_uses(surface_.faces);
+    }
+
+    void inherit_planes()
+    {
+        std::vector<FacingFilter::Inherited>& inherited = surface_.filter.inherited;
+        for (std::uint32_t face = 0; face < surface_.faces.size(); ++face) {
+            const auto& [a, b, c] = surface_.faces[face];
+            if (are_collinear(surface_.positions[a], surface_.positions[b], surface_.positions[c])) {
+                inherited.push_back({face, kNoFace});
+            }
+        }
+        surface_.report.collinear_faces = static_cast<std::uint32_t>(inherited.size());
+        if (inherited.empty()) return;
+        const std::vector<FaceCorners> neighbours = face_neighbours(surface_.faces.size(), uses_);
+        const auto beyond_longest = [&](std::uint32_t face) {
+            return neighbours[face][(middle_corner(surface_, surface_.faces[face]) + 1) % 3];
+        };
+        std::vector<bool> is_collinear(surface_.faces.size(), false);
+        for (const auto& entry : inherited) is_collinear[entry.face] = true;
+        for (auto& entry : inherited) {
+            std::uint32_t source = beyond_longest(entry.face);
+            for (std::size_t step = 0; source != kNoFace && is_collinear[source]; ++step) {
+                source = step < inherited.size() ? beyond_longest(source) : kNoFace;
+            }
+            entry.source = source;
+        }
+    }
+
+    void judge_components()
+    {
+        for (SurfaceComponent& component : surface_.components) component.is_closed = true;
+        for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
+            if (edge.size() == 2 && edge[0].is_forward != edge[1].is_forward) return;
+            for (const EdgeUse& use : edge) component_of(use.face).is_closed = false;
+        });
+        const std::vector<double> volumes = signed_volumes();
+        SurfaceReport& report = surface_.report;
+        report.components = static_cast<std::uint32_t>(surface_.components.size());
+        for (std::size_t i = 0; i < surface_.components.size(); ++i) {
+            SurfaceComponent& component = surface_.components[i];
+            component.is_outward = component.is_closed && volumes[i] > 0.0;
+            component.has_reflex_rule = component.is_outward && options_.is_solid;
+            report.closed_components += component.is_closed;
+            report.inward_components += component.is_closed && volumes[i] < 0.0;
+            report.reflex_rule_components += component.has_reflex_rule;
+        }
+    }
+
+    SurfaceComponent& component_of(std::uint32_t face) { return surface_.components[surface_.face_component[face]]; }
+
+    std::vector<double> signed_volumes()
+    {
+        std::vector<double> volumes(surface_.components.size(), 0.0);
+        std::vector<std::uint32_t> origin(surface_.components.size(), kNoFace);
+        for (std::uint32_t face = 0; face < surface_.faces.size(); ++face) {
+            const auto& corners = surface_.faces[face];
+            const std::uint32_t id = surface_.face_component[face];
+            ++surface_.components[id].face_count;
+            if (origin[id] == kNoFace) origin[id] = corners[0];
+            const glm::dvec3 o = surface_.positions[origin[id]];
+            const glm::dvec3 a = glm::dvec3(surface_.positions[corners[0]]) - o,
+                             b = glm::dvec3(surface_.positions[corners[1]]) - o,
+                             c = glm::dvec3(surface_.positions[corners[2]]) - o;
+            volumes[id] += glm::dot(glm::cross(a, b), c);
+        }
+        return volumes;
+    }
+
+    void collect_edges()
+    {
+        SurfaceReport& report = surface_.report;
+        for_each_edge(uses_, [&](std::span<const EdgeUse> uses) {
+            const EdgeUse& use = uses[0];
+            Edge edge{Edge::side(use.face, use.corner), uses.size() == 1 ? kNoFace : uses[1].face};
+            if (uses.size() != 2) {
+                ++(uses.size() == 1 ? report.border_edges : report.complex_edges);
+                surface_.edges.edges.push_back(edge);
+                return;
+            }
+            if (use.is_forward == uses[1].is_forward) {
+                surface_.filter.twins.push_back({edge.face_b});
+                edge.face_b = static_cast<std::uint32_t>(surface_.faces.size() + surface_.filter.twins.size() - 1);
+            }
+            inner_.push_back({.edge = edge, .vertices = {use.low, use.high}});
+        });
+        report.inconsistent_edges = static_cast<std::uint32_t>(surface_.filter.twins.size());
+        for (InnerEdge& inner : inner_) inner.fold_rad = hw::fold_rad(surface_, inner.edge.face_a(), inner.edge.face_b);
+    }
+
+    EdgeGroup group_of(const InnerEdge& edge) const
+    {
+        const int sign = convexity_sign(surface_, edge.edge.face_a(), edge.edge.face_b);
+        // Two faces folded onto each other are coplanar, yet a knife's edge and not flat.
+        const bool is_convex = sign < 0 || (sign == 0 && edge.fold_rad > 1.0f);
+        if (edge.is_artist) return is_convex ? EdgeGroup::artist_convex : EdgeGroup::artist_reflex;
+        if (is_convex) return EdgeGroup::convex;
+        const SurfaceComponent& component = surface_.components[surface_.face_component[edge.edge.face_a()]];
+        return sign == 0 || component.has_reflex_rule ? EdgeGroup::reflex_silent : EdgeGroup::reflex;
+    }
+
+    void fill_table()
+    {
+        EdgeTable& table = surface_.edges;
+        struct Placed {
+            EdgeGroup group;
+            std::uint32_t index;
+        };
+        std::vector<Placed> order(inner_.size());
+        for (std::uint32_t i = 0; i < inner_.size(); ++i) {
+            order[i] = {group_of(inner_[i]), i};
+            surface_.report.artist_edges += inner_[i].is_artist;
+        }
+        std::sort(order.begin(), order.end(), [&](const Placed& a, const Placed& b) {
+            if (a.group != b.group) return a.group < b.group;
+            const float fold_a = inner_[a.index].fold_rad, fold_b = inner_[b.index].fold_rad;
+            return fold_a != fold_b ? fold_a > fold_b : a.index < b.index;
+        });
+        table.group_begin.fill(table.size() + static_cast<std::uint32_t>(inner_.size()));
+        table.group_begin[0] = 0;
+        table.edges.reserve(table.size() + inner_.size());
+        for (const Placed& placed : order) {
+            std::uint32_t& begin = table.group_begin[static_cast<std::size_t>(placed.group)];
+            begin = std::min(begin, table.size());
+            table.edges.push_back(inner_[placed.index].edge);
+        }
+        for (int group = kEdgeGroupCount - 1; group > 0; --group) {
+            table.group_begin[group] = std::min(table.group_begin[group], table.group_begin[group + 1]);
+        }
+    }
+
+    const MeshData& mesh_;
+    const SurfaceOptions& options_;
+    Surface surface_;
+    std::vector<std::uint32_t> position_of_vertex_;
+    std::vector<EdgeUse> uses_;
+    std::vector<InnerEdge> inner_;
+};
+
+}  // namespace
+
+Surface build_surface(const MeshData& mesh, const SurfaceOptions& options)
+{
+    return SurfaceBuild(mesh, options).run();
+}
+
+OutlineBytes outline_bytes(const Surface& surface)
+{
+    return {.edges = surface.edges.edges.size() * sizeof(Edge),
+            .planes = surface.filter.bytes(),
+            .clusters = surface.clusters.bytes()};
+}
+
+}  // namespace hw

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <set>
+
+#include "hatchway/core/log.hpp"
+#include "hatchway/io/gltf/nodes.hpp"
+
+namespace hw {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kWidestView_deg = 170.0;
+
+/// The direction in which a node's light or camera looks, in the world.
+glm::dvec3 forward_of(const Node& node)
+{
+    const glm::dvec3 forward(-node.world_from_node[2]);
+    const double length = glm::length(forward);
+    return std::isfinite(length) && length > 0.0 ? forward / length : glm::dvec3(0.0, 0.0, -1.0);
+}
+
+LightType type_of(const std::string& name)
+{
+    return name == "directional" ? LightType::sun : name == "spot" ? LightType::spot : LightType::point;
+}
+
+Light convert_light(const json& source, const Node& node)
+{
+    Light light;
+    light.name = node.name.empty() ? source.value("name", "") : node.name;
+    light.type = type_of(source.at("type").get<std::string>());
+    const auto colour = source.value("color", std::vector<float>{1.0f, 1.0f, 1.0f});
+    light.colour = {colour[0], colour[1], colour[2]};
+    light.intensity = source.value("intensity", 1.0f);
+    light.position_world = glm::dvec3(node.world_from_node[3]);
+    light.direction_world = forward_of(node);
+    light.range_m = source.value("range", 0.0f);
+    if (source.contains("spot")) {
+        light.inner_cone_rad = source.at("spot").value("innerConeAngle", light.inner_cone_rad);
+        light.outer_cone_rad = source.at("spot").value("outerConeAngle", light.outer_cone_rad);
+    }
+    return light;
+}
+
+/// Cameras are asked for by name, so names must differ.
+std::string unused_name(const std::string& wanted, std::set<std::string>& used)
+{
+    std::string name = wanted.empty() ? "camera" : wanted;
+    for (int number = 2; !used.insert(name).second; ++number)
+        name = fmt::format("{}_{}", wanted.empty() ? "camera" : wanted, number);
+    return name;
+}
+
+}  // namespace
+
+void add_lights(const GltfModel& model, const NodeOrder& order, Scene& scene)
+{
+    const json* list = GltfModel::extension(model.json, "KHR_lights_punctual");
+    for (std::size_t i = 0; list && i < order.model_nodes.size(); ++i) {
+        const json& stated = model.json.at("nodes")[static_cast<std::size_t>(order.model_nodes[i])];
+        const json* use = GltfModel::extension(stated, "KHR_lights_punctual");
+        if (!use) continue;
+        const json& light = list->at("lights")[use->at("light").get<std::size_t>()];
+        const std::string& type = light.at("type").get_ref<const std::string&>();
+        if (type == "directional" || type == "point" || type == "spot")
+            scene.lights.push_back(convert_light(light, scene.nodes[i]));
+        else
+            log_warning(fmt::format("{}: a light of the unknown type \"{}\" is left out", model.file, type));
+    }
+}
+
+void add_cameras(const GltfModel& model, const NodeOrder& order, Scene& scene)
+{
+    std::set<std::string> used;
+    for (std::size_t i = 0; i < order.model_nodes.size(); ++i) {
+        const int index = model.data.nodes[order.model_nodes[i]].camera;
+        if (index < 0) continue;
+        const tinygltf::Camera& source = model.data.cameras[index];
+        const Node& node = scene.nodes[i];
+        Camera camera;
+        camera.name = unused_name(node.name.empty() ? source.name : node.name, used);
+        camera.eye_world = glm::dvec3(node.world_from_node[3]);
+        camera.target_world = camera.eye_world + forward_of(node);
+        // An orthographic camera becomes a viewpoint with the usual angle: walking needs perspective.
+        if (source.type == "perspective")
+            camera.fov_deg = std::clamp(glm::degrees(source.perspective.yfov), 1.0, kWidestView_deg);
+        scene.cameras.push_back(camera);
+    }
+}
+
+}  // namespace hw

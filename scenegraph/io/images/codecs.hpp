@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "hatchway/core/pixels.hpp"
+
+namespace hw {
+
+/// An encoded image of a stranger. Private to io.
+struct ImageSource {
+    std::span<const std::byte> bytes;
+    const std::string& name;
+    std::uint64_t max_pixels;
+};
+
+/// Throws hw::Error for a size over the limits. Called before the pixels are allocated.
+void check_image_size(std::uint64_t width, std::uint64_t height, const ImageSource& source);
+
+Pixels decode_png(const ImageSource& source);
+Pixels decode_jpeg(const ImageSource& source);
+
+}  // namespace hw

@@ -1,0 +1,49 @@
+#include "hatchway/io/images/images.hpp"
+
+#include <fmt/format.h>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/io/images/codecs.hpp"
+
+namespace hw {
+namespace {
+
+bool starts_with(std::span<const std::byte> bytes, std::initializer_list<int> magic)
+{
+    return bytes.size() >= magic.size() &&
+           std::equal(magic.begin(), magic.end(), bytes.begin(), [](int a, std::byte b) { return std::byte(a) == b; });
+}
+
+}  // namespace
+
+void check_image_size(std::uint64_t width, std::uint64_t height, const ImageSource& source)
+{
+    const auto side = static_cast<std::uint64_t>(limits::kMaxImageSide);
+    const bool is_allowed =
+        width > 0 && height > 0 && width <= side && height <= side && width * height <= source.max_pixels;
+    if (is_allowed) return;
+    throw Error({.what = fmt::format("is an image of {} x {} pixels", width, height),
+                 .file = source.name,
+                 .expected = fmt::format("sides of 1 to {} and at most {} pixels", side, source.max_pixels)});
+}
+
+Pixels decode_image(std::span<const std::byte> bytes, const std::string& name, std::uint64_t max_pixels)
+{
+    const ImageSource source{.bytes = bytes, .name = name, .max_pixels = max_pixels};
+    if (starts_with(bytes, {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'})) return decode_png(source);
+    if (starts_with(bytes, {0xff, 0xd8, 0xff})) return decode_jpeg(source);
+    throw Error({.what = "is an image of an unknown format", .file = name, .expected = "PNG or JPEG"});
+}
+
+Pixels read_image(const std::filesystem::path& file)
+{
+    return decode_image(read_file(file, limits::kMaxFileBytes), file.string());
+}
+
+void write_png(const std::filesystem::path& file, const Pixels& pixels)
+{
+    write_file_atomically(file, encode_png(pixels));
+}
+
+}  // namespace hw

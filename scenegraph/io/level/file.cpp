@@ -1,0 +1,69 @@
+#include "hatchway/io/level/file.hpp"
+
+#include <algorithm>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
+#include "hatchway/core/limits.hpp"
+#include "hatchway/io/level/reader.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+std::string lower_extension(const fs::path& file)
+{
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+Level bare_model(const fs::path& file)
+{
+    std::error_code failed;
+    if (!fs::is_regular_file(file, failed))
+        throw Error({.what = fs::exists(file, failed) ? "is not a regular file" : "there is no such file",
+                     .file = file.string(),
+                     .expected = "a model (.glb, .gltf) or a level (.json)"});
+    Level level;
+    level.file = file;
+    level.project_root = find_project_root(file);
+    level.scene_file = file;
+    return level;
+}
+
+}  // namespace
+
+fs::path find_project_root(const fs::path& file)
+{
+    const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+    std::error_code failed;
+    for (fs::path root = folder;; root = root.parent_path()) {
+        if (fs::exists(root / "hatchway.project", failed) || fs::exists(root / ".git", failed)) return root;
+        if (root == root.parent_path()) break;
+    }
+    return folder.filename() == "levels" ? folder.parent_path() : folder;
+}
+
+Level parse_level(const std::string& text, const fs::path& file)
+{
+    Level level;
+    level.file = file;
+    level.project_root = find_project_root(file);
+    const nlohmann::json document = parse_json(text, file.string(), JsonComments::allowed);
+    LevelReader::read(document, level);
+    for (auto& [name, camera] : level.cameras) camera.name = name;
+    return level;
+}
+
+Level read_level(const fs::path& file)
+{
+    const std::string extension = lower_extension(file);
+    if (extension == ".glb" || extension == ".gltf") return bare_model(file);
+    if (extension == ".json") return parse_level(read_text_file(file, limits::kMaxLevelFileBytes), file);
+    throw Error({.what = "a file of this kind cannot be opened",
+                 .file = file.string(),
+                 .expected = "a level (.json) or a model (.glb, .gltf)"});
+}
+
+}  // namespace hw

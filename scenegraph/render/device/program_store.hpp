@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "hatchway/gl/gpu_program.hpp"
+#include "hatchway/style/program_cache.hpp"
+
+namespace hw {
+
+/// What a surface program is compiled for: bits, and small numbers at the places named below. A program of a style is
+/// compiled once for each combination that occurs.
+using SurfaceFeatures = std::uint64_t;
+namespace surface_feature {
+inline constexpr SurfaceFeatures kUv0 = 1u << 0;
+inline constexpr SurfaceFeatures kUv1 = 1u << 1;
+inline constexpr SurfaceFeatures kTangents = 1u << 2;
+inline constexpr SurfaceFeatures kColours = 1u << 3;
+inline constexpr SurfaceFeatures kAlphaMask = 1u << 4;
+inline constexpr SurfaceFeatures kAlphaBlend = 1u << 5;
+inline constexpr SurfaceFeatures kDoubleSided = 1u << 6;
+inline constexpr SurfaceFeatures kUnlit = 1u << 7;
+inline constexpr SurfaceFeatures kHatchMap = 1u << 8;
+inline constexpr SurfaceFeatures kInkMap = 1u << 9;
+inline constexpr SurfaceFeatures kTonalMap = 1u << 10;
+inline constexpr SurfaceFeatures kPresence = 1u << 11;
+inline constexpr SurfaceFeatures kShadow = 1u << 12;
+inline constexpr SurfaceFeatures kSpotLights = 1u << 13;
+inline constexpr SurfaceFeatures kLightRanges = 1u << 14;
+/// Two bits each: 0 no map, 1 on uv0, 2 on uv1.
+inline constexpr int kBaseColourMapBit = 16;
+inline constexpr int kMetallicRoughnessMapBit = 18;
+inline constexpr int kNormalMapBit = 20;
+inline constexpr int kOcclusionMapBit = 22;
+inline constexpr int kEmissiveMapBit = 24;
+/// Four bits each: how many lights, and how many of them are suns.
+inline constexpr int kLightCountBit = 26;
+inline constexpr int kSunCountBit = 30;
+/// Two bits: 0 no baked light, 1 in charts, 2 per vertex.
+inline constexpr int kLightmapBit = 34;
+inline constexpr SurfaceFeatures kHatchUv = SurfaceFeatures(1) << 37;
+inline constexpr SurfaceFeatures kDirection = SurfaceFeatures(1) << 38;
+}  // namespace surface_feature
+
+/// Where a surface program's uniforms stand; -1 where the program does not use one.
+struct SurfaceLocations {
+    int clip_from_object, relative_from_object, normal_from_object;
+    int certainty, handedness, hatch_scale, base_colour_factor, mean_colour, material_factors, emissive_normal;
+    int presence_height, presence_inverted;
+    int base_colour_uv, metallic_roughness_uv, normal_uv, occlusion_uv, emissive_uv;
+    int hatch_info, ink_info, tonal_info;
+    int unit_base_colour, unit_metallic_roughness, unit_normal, unit_occlusion, unit_emissive;
+    int unit_hatch, unit_ink, unit_tonal, unit_shadow, unit_lightmap;
+    int lightmap_place;
+};
+
+struct LinkedProgram {
+    GpuProgram gpu;
+    SurfaceLocations at{};
+};
+
+/// All programs of a renderer: styles' and the engine's own. Ids stay valid when files are read anew.
+class ProgramStore {
+ public:
+    /// `engine_folder` holds the engine's shaders.
+    ProgramStore(std::filesystem::path engine_folder, bool is_es);
+    ~ProgramStore();
+
+    /// Lives as long as the store.
+    ProgramCache& cache(const std::filesystem::path& style_folder);
+
+    /// The program for these features, compiled on first use. Null for an invalid id; a combination that does not
+    /// compile is logged once and gives the plain program instead.
+    const LinkedProgram* surface(Program program, SurfaceFeatures features);
+    /// Whether the fragment stage discards by itself, beside the alpha mask of hw_material().
+    bool discards(Program program) const;
+    const LinkedProgram* full_screen(Program program);
+    /// A program of the engine from files of its own folder. Throws hw::Error.
+    const LinkedProgram& engine(std::string_view vertex_file, std::string_view fragment_file,
+                                std::string_view defines = {});
+
+    /// Compiles everything anew from the files. A program that fails keeps what it had; the first failure is thrown
+    /// when all have been tried.
+    void reload();
+    int compiled_count() const { return compiled_count_; }
+
+ private:
+    struct Family;
+    class FolderCache;
+
+    Program add(const std::filesystem::path& folder, std::string_view vertex_file, std::string_view fragment_file,
+                std::string_view defines);
+    std::unique_ptr<LinkedProgram> compile(const Family& family, SurfaceFeatures features);
+    const LinkedProgram* variant(Family& family, SurfaceFeatures features);
+
+    std::filesystem::path engine_folder_;
+    bool is_es_;
+    int compiled_count_ = 0;
+    std::vector<std::unique_ptr<Family>> families_;  ///< Program id - 1 -> family.
+    std::map<std::string, std::uint32_t> family_of_key_;
+    std::map<std::filesystem::path, std::unique_ptr<ProgramCache>> caches_;
+    Program plain_;
+};
+
+/// The #define lines of a combination.
+std::string feature_defines(SurfaceFeatures features);
+
+}  // namespace hw

@@ -1,0 +1,211 @@
+#include "hatchway/render/lines/line_drawer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hatchway/render/device/presence_uniforms.hpp"
+#include "hatchway/render/view/frame_block.hpp"
+
+namespace hw {
+namespace {
+
+constexpr float kWholeFold = 1.5707963f;
+constexpr PipelineState kLineState{
+    .depth_test = DepthTest::off, .writes_depth = false, .blending = Blending::over, .culling = Culling::off};
+
+Viewpoint viewpoint_of(const View& view)
+{
+    if (!is_orthographic(view)) return {view.eye_world, false};
+    // The third row of the rotation: where the viewer is, seen from the scene.
+    const glm::mat4& m = view.view_from_world;
+    return {glm::dvec3(m[0][2], m[1][2], m[2][2]), true};
+}
+
+float width_px(const View& view, const LineLook& look, LineClass line_class)
+{
+    const auto i = static_cast<std::size_t>(line_class);
+    return look.is_drawn[i] ? std::max(look.width_px[i], 0.0f) * view.px_scale : 0.0f;
+}
+
+}  // namespace
+
+/// Lines that one draw call draws.
+struct LineDrawer::Stretch {
+    std::uint32_t first_line = 0;
+    std::uint32_t count = 0;
+    float width_px = 0.0f;
+};
+
+/// A program and what it draws of each line.
+struct LineDrawer::LineProgram {
+    const GpuProgram* gpu = nullptr;
+    Primitive primitive = Primitive::triangles;
+    int clip_from_object, relative_from_object, eye_object, fade, stroke_scale, presence_height, presence_inverted;
+};
+
+LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices)
+    : device_(device), programs_(programs), state_(state), indices_(indices), stream_(make_line_buffer(indices))
+{
+}
+
+LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) const
+{
+    // Quads have the width that is asked for, with any number of samples, and need no state of their own: see
+    // `measure lines`. GL_LINES are the way of 2001, for who wants it.
+    if (frame.path != LinePath::native || look.depth_taper > 0.0f || !look.stroke.is_ruled()) return LinePath::quads;
+    const float widest = *std::max_element(look.width_px.begin(), look.width_px.end()) * frame.view->px_scale;
+    const bool fits = widest <= device_.max_line_width_px && widest + 1.0f <= device_.max_point_size_px;
+    return fits ? LinePath::native : LinePath::quads;
+}
+
+std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineLook& look,
+                                                          std::span<const LineItem> items, EdgeStore& edges)
+{
+    std::vector<std::uint32_t> first_lines;
+    vertices_.clear();
+    const Viewpoint viewpoint = viewpoint_of(*frame.view);
+    for (const LineItem& item : items) {
+        first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
+        const Surface* surface = edges.surface(item.object->object);
+        const LineMesh* lines = edges.lines(item.object->object);
+        if (surface == nullptr || width_px(*frame.view, look, LineClass::silhouette) <= 0.0f) continue;
+        const float crease_rad = std::max(look.crease_rad, lines->crease_rad);
+        const std::uint64_t idle = scratch_.counters.objects_without_work;
+        const Viewpoint here = in_object(viewpoint, edges.world_from_object(item.object->object));
+        const auto contours = drawn_contours(*surface, here, {.crease_rad = crease_rad}, scratch_);
+        if (scratch_.counters.objects_without_work == idle) ++counters_.silhouette_extractions;
+        counters_.silhouette_edges += contours.size();
+        for (const std::uint32_t edge : contours) {
+            const auto ends = edge_vertices(*surface, edge);
+            append_line(vertices_, {surface->positions[ends[0]], surface->positions[ends[1]]}, LineClass::silhouette);
+            set_crowding(vertices_, lines->crowding[ends[0]], lines->crowding[ends[1]]);
+        }
+    }
+    first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
+    indices_.reserve(first_lines.back());
+    if (!vertices_.empty()) stream_.vertices.stream(std::as_bytes(std::span(vertices_)));
+    return first_lines;
+}
+
+std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, const LineLook& look,
+                                                              bool has_presence) const
+{
+    std::string presence = has_presence ? "#define HW_PRESENCE 1\n" : "";
+    if (!look.stroke.is_ruled()) presence += "#define HW_STROKE 1\n";
+    const auto make = [](const LinkedProgram& linked, Primitive primitive) {
+        const GpuProgram& gpu = linked.gpu;
+        return LineProgram{.gpu = &gpu,
+                           .primitive = primitive,
+                           .clip_from_object = linked.at.clip_from_object,
+                           .relative_from_object = linked.at.relative_from_object,
+                           .eye_object = linked.gpu.location("hw_line_eye_object"),
+                           .fade = gpu.location("hw_line_fade"),
+                           .stroke_scale = gpu.location("hw_stroke_scale"),
+                           .presence_height = linked.at.presence_height,
+                           .presence_inverted = linked.at.presence_inverted};
+    };
+    if (path == LinePath::quads)
+        return {make(programs_.engine("lines/line_quad.vert", "lines/line_quad.frag", presence), Primitive::triangles)};
+    const std::string round = presence + "#define HW_ROUND_POINT 1\n";
+    return {make(programs_.engine("lines/line_end.vert", "lines/line_end.frag", presence), Primitive::lines),
+            make(programs_.engine("lines/line_end.vert", "lines/line_end.frag", round), Primitive::points)};
+}
+
+void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, const LineLook& look)
+{
+    std::array<float, kLineClassCount> widths;
+    std::array<glm::vec3, kLineClassCount> colours;
+    for (int i = 0; i < kLineClassCount; ++i) {
+        widths[i] = width_px(*frame.view, look, static_cast<LineClass>(i));
+        colours[i] = linear_from_srgb(look.colour[i]);
+    }
+    state_.use(*program.gpu);
+    state_.bind_texture(program.gpu->unit("hw_line_depth"), frame.depth_texture);
+    GpuProgram::set(program.gpu->location("hw_line_width_px[0]"), std::span<const float>(widths));
+    GpuProgram::set(program.gpu->location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
+    GpuProgram::set(program.gpu->location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
+    GpuProgram::set(program.gpu->location("hw_line_fold"), glm::vec3(look.fold_weight, look.crease_rad, kWholeFold));
+    const StrokeCharacter& stroke = look.stroke;
+    GpuProgram::set(
+        program.gpu->location("hw_stroke_px"),
+        frame.view->px_scale * glm::vec4(stroke.wobble_px, stroke.bend_px, stroke.overshoot_px, stroke.taper_px));
+    GpuProgram::set(program.gpu->location("hw_stroke_dash"),
+                    glm::vec2(stroke.dash_px * frame.view->px_scale, stroke.dash_share));
+}
+
+void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges)
+{
+    const LinePath path = path_for(frame, look);
+    const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, look, items, edges);
+    for (const bool with_presence : {false, true}) {
+        const bool is_needed = std::any_of(items.begin(), items.end(), [&](const LineItem& item) {
+            return has_presence(*item.item) == with_presence;
+        });
+        if (!is_needed) continue;
+        for (const LineProgram& program : programs_for(path, look, with_presence)) {
+            set_look(program, frame, look);
+            for (std::size_t i = 0; i < items.size(); ++i) {
+                const LineMesh* lines = edges.lines(items[i].object->object);
+                const DrawItem& item = *items[i].item;
+                if (lines == nullptr || has_presence(item) != with_presence) continue;
+                if (!shows_at_all(item, frame.view->time_s)) continue;
+                const Surface& surface = *edges.surface(items[i].object->object);
+                draw_item(program, frame, look, items[i], *lines, lines->buffer,
+                          stretches_of(*lines, surface, frame, look, path));
+                const Stretch silhouettes{first_lines[i], first_lines[i + 1] - first_lines[i],
+                                          width_px(*frame.view, look, LineClass::silhouette)};
+                draw_item(program, frame, look, items[i], *lines, stream_, {&silhouettes, 1});
+            }
+        }
+    }
+}
+
+std::vector<LineDrawer::Stretch> LineDrawer::stretches_of(const LineMesh& lines, const Surface& surface,
+                                                          const LineFrame& frame, const LineLook& look, LinePath path)
+{
+    std::vector<Stretch> stretches;
+    for (const LineMesh::Run& run : lines.runs) {
+        const float width = width_px(*frame.view, look, run.line_class);
+        if (width <= 0.0f) continue;
+        const bool is_cut = look.crease_rad > lines.crease_rad;
+        const std::uint32_t count = is_cut ? run_length_at(run, surface, look.crease_rad) : run.count;
+        const bool continues = !stretches.empty() &&
+                               stretches.back().first_line + stretches.back().count == run.first_line &&
+                               (path == LinePath::quads || stretches.back().width_px == width);
+        if (continues)
+            stretches.back().count += count;
+        else
+            stretches.push_back({run.first_line, count, width});
+    }
+    return stretches;
+}
+
+void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, const LineLook& look,
+                           const LineItem& item, const LineMesh& lines, const LineBuffer& buffer,
+                           std::span<const Stretch> stretches)
+{
+    const bool is_empty =
+        std::all_of(stretches.begin(), stretches.end(), [](const Stretch& s) { return s.count == 0; });
+    if (is_empty) return;
+    const View& view = *frame.view;
+    GpuProgram::set(program.clip_from_object, item.object->clip_from_object);
+    GpuProgram::set(program.relative_from_object, item.object->relative_from_object);
+    GpuProgram::set(program.eye_object, glm::vec3(glm::inverse(item.object->relative_from_object)[3]));
+    const float full_px = look.far.full_spacing_px * view.px_scale;
+    const float window_px = look.far.is_on ? full_px / kFullSpacingInWindows : 0.0f;
+    GpuProgram::set(program.fade,
+                    glm::vec3(window_px, lines.crowding_window * item.object->scale, FarPolicy::kInnerGone));
+    GpuProgram::set(program.stroke_scale, static_cast<float>(item.object->scale));
+    set_presence(program.presence_height, program.presence_inverted, *item.item, view.time_s);
+    const bool as_quads = program.primitive == Primitive::triangles;
+    const std::uint32_t indices_per_line = as_quads ? 6 : 2;
+    state_.bind(as_quads ? buffer.as_quads : buffer.as_ends);
+    for (const Stretch& s : stretches) {
+        PipelineState pipeline = kLineState;
+        if (!as_quads) pipeline.line_width_px = s.width_px;
+        state_.apply(pipeline);
+        state_.draw_indexed(program.primitive, s.first_line * indices_per_line, s.count * indices_per_line);
+    }
+}
+
+}  // namespace hw

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+
+#include "hatchway/gl/context.hpp"
+#include "hatchway/gl/gpu_state.hpp"
+#include "hatchway/render/device/program_store.hpp"
+#include "hatchway/render/lines/edge_store.hpp"
+#include "hatchway/render/view/frame_options.hpp"
+#include "hatchway/render/view/visible_set.hpp"
+#include "hatchway/style/draw_item.hpp"
+#include "hatchway/style/view.hpp"
+
+namespace hw {
+
+/// How lines reach the picture in one frame.
+struct LineFrame {
+    const View* view = nullptr;
+    int samples = 1;
+    LinePath path = LinePath::automatic;
+    FaceOffset offset;
+    std::uint32_t depth_texture = 0;  ///< Of the faces, see lay_line_depth().
+};
+
+/// An item whose lines are drawn and where its object stands.
+struct LineItem {
+    const DrawItem* item = nullptr;
+    const VisibleObject* object = nullptr;
+};
+
+struct LineCounters {
+    int silhouette_extractions = 0;
+    std::uint64_t silhouette_edges = 0;
+};
+
+/// Draws objects' lines: those of their line meshes, and the silhouettes from this eye. Hidden parts fall to the depth
+/// test against faces that lie behind by the polygon offset.
+class LineDrawer {
+ public:
+    LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices);
+
+    void draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges);
+    LineCounters take_counters() { return std::exchange(counters_, {}); }
+
+ private:
+    struct Stretch;
+    struct LineProgram;
+
+    LinePath path_for(const LineFrame& frame, const LineLook& look) const;
+    std::vector<std::uint32_t> stream_silhouettes(const LineFrame& frame, const LineLook& look,
+                                                  std::span<const LineItem> items, EdgeStore& edges);
+    /// Programs of one path for one look: bodies of lines, and for GL_LINES their ends.
+    std::vector<LineProgram> programs_for(LinePath path, const LineLook& look, bool has_presence) const;
+    static std::vector<Stretch> stretches_of(const LineMesh& lines, const Surface& surface, const LineFrame& frame,
+                                             const LineLook& look, LinePath path);
+    void set_look(const LineProgram& program, const LineFrame& frame, const LineLook& look);
+    void draw_item(const LineProgram& program, const LineFrame& frame, const LineLook& look, const LineItem& item,
+                   const LineMesh& lines, const LineBuffer& buffer, std::span<const Stretch> stretches);
+
+    const DeviceInfo& device_;
+    ProgramStore& programs_;
+    GpuState& state_;
+    LineIndices& indices_;
+    LineBuffer stream_;
+    SilhouetteScratch scratch_;
+    std::vector<LineVertex> vertices_;
+    LineCounters counters_;
+};
+
+}  // namespace hw

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "hatchway/gl/gpu_state.hpp"
+#include "hatchway/gl/gpu_target.hpp"
+#include "hatchway/render/device/gpu_scene.hpp"
+#include "hatchway/render/view/frame_block.hpp"
+
+namespace hw {
+
+/// The shadow map of the main light. The scene stands still, so it is drawn once and kept. Its casters follow from the
+/// light alone: every opaque or masked object, seen or not.
+class ShadowMap {
+ public:
+    /// Draws the map when it is not there yet.
+    void prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLight& light, ProgramStore& programs,
+                 GpuState& state);
+
+    const ShadowFrame& frame() const { return frame_; }
+    std::uint32_t texture() const { return frame_.is_drawn ? target_.depth().id() : 0; }
+    int drawn_count() const { return drawn_count_; }
+
+ private:
+    GpuTarget target_;
+    ShadowFrame frame_;
+    int drawn_count_ = 0;
+};
+
+/// Where a sun's map looks: an orthographic view along the light around `bounds_world`, whatever the eye sees.
+/// Returns clip from world.
+glm::dmat4 sun_clip_from_world(const glm::dvec3& direction_world, const Box& bounds_world);
+
+}  // namespace hw

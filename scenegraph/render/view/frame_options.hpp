@@ -1,0 +1,25 @@
+#pragma once
+
+#include "hatchway/render/view/overlay.hpp"
+
+namespace hw {
+
+enum class LinePath : unsigned char { automatic, native, quads };
+
+/// How far the depth that lines are tested against lies behind the faces, as a polygon offset.
+struct FaceOffset {
+    float factor = 0.75f;
+    float units = 4.0f;
+};
+
+struct FrameOptions {
+    int samples = 4;  ///< 1 or 4.
+    bool use_pvs = true;
+    bool skips_hidden = true;  ///< Leaves objects unshaded that others hide, where that pays. Never changes a pixel.
+    LinePath line_path = LinePath::automatic;
+    FaceOffset line_offset;
+    bool is_timed = false;  ///< Wait for the device after each phase, so that phases can be told apart.
+    Overlay overlay;
+};
+
+}  // namespace hw

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hatchway/geometry/mesh_chunks.hpp"
+#include "hatchway/maps/map_levels.hpp"
+#include "hatchway/style/style.hpp"
+
+namespace hw {
+
+struct Lightmap;    // world/light/lightmap.hpp
+struct Visibility;  // world/visibility/visibility.hpp
+
+/// How one object is drawn. Indices point into SceneInput::styles and SceneInput::maps.
+struct StyledObject {
+    int style = kNone;       ///< kNone: the object is not drawn.
+    int over = kNone;        ///< A second style, drawn over the first with `presence`.
+    PresenceField presence;  ///< Of `over`; the first style keeps the rest.
+    float certainty = 1.0f;
+    std::map<MapKind, int> maps;
+};
+
+/// A prepared style. The owner keeps it alive while the renderer may draw with it.
+struct NamedStyle {
+    std::string name;
+    Style* style = nullptr;
+};
+
+/// Makes, sets and prepares the image pass that a key names; null when there is none of that name.
+using ImagePassSource = std::function<std::unique_ptr<ImagePass>(const ImageKey&)>;
+
+/// Everything a level shows. Pointers stay the caller's and must live until the next load().
+struct SceneInput {
+    const Scene* scene = nullptr;
+    std::vector<NamedStyle> styles;
+    std::vector<StyledObject> objects;       ///< One for each of scene->objects.
+    const Visibility* visibility = nullptr;  ///< Null: everything is visible.
+    std::span<const MeshChunks> chunks;      ///< One for each mesh; empty: meshes are drawn whole.
+    const Lightmap* lightmap = nullptr;      ///< Baked light; its stream has been added to the scene's meshes.
+    std::vector<const MapLevels*> maps;      ///< What StyledObject::maps points at.
+    std::map<std::string, int> named_maps;   ///< Needs::maps: a map's name -> index into `maps`.
+    std::vector<Light> lights;
+    float exposure_ev = 0.0f;  ///< EV 100; the picture is scaled by 1 / (1.2 * 2^EV).
+    glm::vec3 background_srgb{1.0f};
+    ImagePassSource image_passes;
+};
+
+}  // namespace hw

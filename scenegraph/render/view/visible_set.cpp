@@ -1,0 +1,162 @@
+#include "hatchway/render/view/visible_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <utility>
+
+#include "hatchway/render/view/frame_block.hpp"
+#include "hatchway/world/visibility/visibility.hpp"
+
+namespace hw {
+namespace {
+
+using Planes = std::array<glm::dvec4, 6>;
+
+/// The frustum's planes in object space, pointing inward, from the rows of the matrix (Gribb and Hartmann 2001).
+Planes frustum_planes(const glm::mat4& clip_from_object)
+{
+    const glm::dmat4 m = glm::transpose(glm::dmat4(clip_from_object));
+    return {m[3] + m[0], m[3] - m[0], m[3] + m[1], m[3] - m[1], m[3] + m[2], m[3] - m[2]};
+}
+
+bool is_outside(const Box& box, const Planes& planes)
+{
+    for (const glm::dvec4& plane : planes) {
+        const glm::dvec3 farthest(plane.x > 0.0 ? box.max.x : box.min.x, plane.y > 0.0 ? box.max.y : box.min.y,
+                                  plane.z > 0.0 ? box.max.z : box.min.z);
+        // A hair of tolerance: the matrix is rounded to float and the rasteriser's edge belongs to the picture.
+        const double reach = std::abs(plane.x * farthest.x) + std::abs(plane.y * farthest.y) +
+                             std::abs(plane.z * farthest.z) + std::abs(plane.w);
+        if (glm::dot(glm::dvec3(plane), farthest) + plane.w < -1e-5 * reach) return true;
+    }
+    return false;
+}
+
+double distance_to(const Box& box, const glm::dvec3& eye)
+{
+    return glm::length(glm::max(glm::max(box.min - eye, eye - box.max), glm::dvec3(0.0)));
+}
+
+/// Radius of the sphere about the eye that holds the near plane's corners.
+double near_radius(const View& view)
+{
+    const double near_plane = depth_range(view).x;
+    const double x = 1.0 / view.clip_from_view[0][0];
+    const double y = 1.0 / view.clip_from_view[1][1];
+    if (is_orthographic(view)) return std::sqrt(x * x + y * y + near_plane * near_plane);
+    return near_plane * std::sqrt(1.0 + x * x + y * y);
+}
+
+void add_range(VisibleSet& result, VisibleObject& item, IndexRange range)
+{
+    if (range.count == 0) return;
+    if (item.range_count > 0 && result.ranges.back().first + result.ranges.back().count == range.first) {
+        result.ranges.back().count += range.count;
+        return;
+    }
+    result.ranges.push_back(range);
+    ++item.range_count;
+}
+
+/// Collects the ranges of an object's chunks that may be seen. `seen` is one byte for each chunk, empty for all.
+void collect_ranges(const MeshChunks& chunks, const Planes& planes, std::span<const std::uint8_t> seen,
+                    VisibleSet& result, VisibleObject& item)
+{
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        if (!seen.empty() && seen[i] == 0) continue;
+        if (chunks.size() > 1 && is_outside(chunks[i].bounds_object, planes)) continue;
+        add_range(result, item, {chunks[i].first_index, chunks[i].index_count});
+    }
+}
+
+}  // namespace
+
+VisibleObject place_object(const Scene& scene, ObjectId object, const View& view)
+{
+    const glm::dmat4& world_from_object = scene.world_from_object(object);
+    glm::dmat4 relative = world_from_object;
+    relative[3] -= glm::dvec4(view.eye_world, 0.0);
+    const glm::dmat4 view_from_relative = glm::dmat4(glm::dmat3(glm::dmat4(view.view_from_world)));
+    const double determinant = glm::determinant(glm::dmat3(world_from_object));
+    VisibleObject item;
+    item.object = object;
+    item.clip_from_object = glm::mat4(glm::dmat4(view.clip_from_view) * view_from_relative * relative);
+    item.relative_from_object = glm::mat4(relative);
+    item.facing = (determinant < 0.0) != view.is_mirrored ? -1.0f : 1.0f;
+    item.handedness = determinant < 0.0 ? -1.0f : 1.0f;
+    item.scale = static_cast<float>(std::cbrt(std::abs(determinant)));
+    // Of a matrix that flattens there is no inverse; any finite normals do.
+    item.normal_from_object =
+        determinant == 0.0 ? glm::mat3(relative) : glm::mat3(glm::inverseTranspose(glm::dmat3(world_from_object)));
+    item.distance_m = distance_to(scene.objects[object].bounds_world, view.eye_world);
+    return item;
+}
+
+void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& result)
+{
+    result = {};
+    const Scene& scene = *query.scene;
+    std::vector<std::uint8_t> seen;
+    if (query.visibility != nullptr) {
+        visible_chunks(*query.visibility, view.eye_world, near_radius(view), seen);
+        result.leaves_visible = visible_leaf_count(*query.visibility, view.eye_world, near_radius(view));
+    }
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        const int mesh = scene.objects[id].mesh;
+        std::span<const std::uint8_t> seen_chunks;
+        if (query.visibility != nullptr) {
+            const std::uint32_t first = query.visibility->first_slot_of_object[id];
+            const std::uint32_t end = query.visibility->first_slot_of_object[id + 1];
+            seen_chunks = std::span(seen).subspan(first, end - first);
+            if (std::find(seen_chunks.begin(), seen_chunks.end(), 1) == seen_chunks.end()) continue;
+        }
+        VisibleObject item = place_object(scene, id, view);
+        item.first_range = static_cast<std::uint32_t>(result.ranges.size());
+        const Planes planes = frustum_planes(item.clip_from_object);
+        if (is_outside(query.mesh_bounds[mesh], planes)) continue;
+        if (query.chunks.empty())
+            add_range(result, item, {0, static_cast<std::uint32_t>(scene.meshes[mesh].indices.size())});
+        else
+            collect_ranges(query.chunks[mesh], planes, seen_chunks, result, item);
+        if (item.range_count > 0) result.objects.push_back(item);
+    }
+    std::sort(result.objects.begin(), result.objects.end(), [](const VisibleObject& a, const VisibleObject& b) {
+        return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.object < b.object;
+    });
+}
+
+VisibleSet in_pieces(const VisibleSet& whole, std::uint32_t triangles)
+{
+    VisibleSet pieces;
+    pieces.leaves_visible = whole.leaves_visible;
+    const std::uint32_t most = 3 * triangles;
+    for (VisibleObject object : whole.objects) {
+        const std::span<const IndexRange> ranges =
+            std::span(whole.ranges).subspan(object.first_range, object.range_count);
+        object.first_range = static_cast<std::uint32_t>(pieces.ranges.size());
+        for (const IndexRange& range : ranges)
+            for (std::uint32_t done = 0; done < range.count; done += most)
+                pieces.ranges.push_back({range.first + done, std::min(most, range.count - done)});
+        object.range_count = static_cast<std::uint32_t>(pieces.ranges.size()) - object.first_range;
+        pieces.objects.push_back(object);
+    }
+    return pieces;
+}
+
+VisibleSet only_marked(const VisibleSet& pieces, std::span<const std::uint8_t> marks)
+{
+    VisibleSet marked;
+    marked.leaves_visible = pieces.leaves_visible;
+    for (VisibleObject object : pieces.objects) {
+        const std::uint32_t first = object.first_range;
+        const std::uint32_t count = std::exchange(object.range_count, 0);
+        object.first_range = static_cast<std::uint32_t>(marked.ranges.size());
+        for (std::uint32_t i = first; i < first + count; ++i)
+            if (marks[i] != 0) add_range(marked, object, pieces.ranges[i]);
+        marked.objects.push_back(object);
+    }
+    return marked;
+}
+
+}  // namespace hw

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hatchway/geometry/mesh_chunks.hpp"
+#include "hatchway/stage/compiled_world.hpp"
+#include "hatchway/world/level.hpp"
+#include "hatchway/world/light/lightmap.hpp"
+#include "hatchway/world/visibility/visibility.hpp"
+
+namespace hw {
+
+/// The model of a level with its visibility: what a level's looks do not change. No device is needed up to here.
+struct LevelWorld {
+    Scene scene;
+    std::vector<MeshChunks> chunks;          ///< One for each mesh of the scene.
+    std::optional<Lightmap> lightmap;        ///< The level's baked light, its stream added to the meshes.
+    std::unique_ptr<Visibility> visibility;  ///< Null when it was not wanted.
+};
+
+/// The style of an object for which nobody named one.
+inline constexpr const char* kFallbackStyle = "photoreal";
+
+/// Reads a level file or a bare model. `style_overrides` are "GLOB=STYLE", put after the level's own rules.
+/// Throws hw::Error for an override that is not of that form, and whatever read_level() throws.
+Level read_level_with(const std::filesystem::path& file, const std::vector<std::string>& style_overrides);
+
+enum class BakedLight : unsigned char { unwanted, if_there };
+
+/// Imports the level's model and cuts its meshes into chunks; makes the visibility too when `visibility` is given, or
+/// takes it from `cache` when that is given, and takes the lightmap beside the level when it is wanted. One that was
+/// baked for another state of the level is left out, with a warning. The renderer points into the result, so it never
+/// moves.
+std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
+                                             BakedLight baked_light = BakedLight::unwanted,
+                                             const CompiledCache* cache = nullptr);
+
+/// Whether the model and its visibility stay as they are when `before` becomes `after`.
+bool same_world(const Level& before, const Level& after);
+
+/// The lights of the model and of the level. A level without any gets a sun from above, behind the left shoulder of
+/// somebody who looks along -z.
+std::vector<Light> lights_of(const Level& level, const Scene& scene);
+
+/// Level::exposure_ev, else the EV 100 that shows a white surface in the scene's typical light a little below white.
+double exposure_ev_of(const Level& level, const Scene& scene, const std::vector<Light>& lights);
+
+}  // namespace hw

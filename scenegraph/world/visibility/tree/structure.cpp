@@ -1,0 +1,207 @@
+#include "hatchway/world/visibility/tree/structure.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numeric>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/glob.hpp"
+#include "hatchway/world/visibility/tree/coplanar.hpp"
+#include "hatchway/world/visibility/tree/large_planes.hpp"
+
+namespace hw {
+namespace {
+
+bool is_named(const std::string& pattern, std::size_t node, const Scene& scene)
+{
+    if (pattern == fmt::format("#{}", node)) return true;
+    return glob_matches(pattern, scene.nodes[node].path);
+}
+
+/// For every node, whether the level names it as structure.
+std::vector<char> named_nodes(const Scene& scene, const Level& level)
+{
+    std::vector<char> result(scene.nodes.size(), 0);
+    if (!level.structure) return result;
+    for (std::size_t entry = 0; entry < level.structure->size(); ++entry) {
+        bool is_used = false;
+        for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+            if (!is_named((*level.structure)[entry], i, scene)) continue;
+            result[i] = 1;
+            is_used = true;
+        }
+        if (is_used) continue;
+        throw Error({.what = fmt::format("\"{}\" names no node", (*level.structure)[entry]),
+                     .file = level.file.string(),
+                     .pointer = fmt::format("/structure/{}", entry),
+                     .expected = "a path glob of nodes of the scene"});
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const int parent = scene.nodes[i].parent;
+        if (parent != kNone && result[static_cast<std::size_t>(parent)]) result[i] = 1;
+    }
+    return result;
+}
+
+void add_object(const Scene& scene, ObjectId id, const Grid& grid, bool is_named, std::vector<GridTriangle>& triangles)
+{
+    const Object& object = scene.objects[id];
+    const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
+    const bool is_double_sided = scene.materials[static_cast<std::size_t>(object.material)].is_double_sided;
+    const glm::dmat4& matrix = scene.world_from_object(id);
+    // A mirroring transform turns the winding round, and what is drawn with it.
+    const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        GridTriangle triangle;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const glm::dvec3 position(mesh.positions[mesh.indices[i + corner]]);
+            triangle.corners[corner] = snapped(grid, glm::dvec3(matrix * glm::dvec4(position, 1.0)));
+        }
+        if (is_mirrored) std::swap(triangle.corners[1], triangle.corners[2]);
+        triangle.is_double_sided = is_double_sided;
+        triangle.is_named = is_named;
+        triangles.push_back(triangle);
+    }
+}
+
+void set_box(Structure& structure, const Box& bounds_world)
+{
+    // A sight line between two points of the box never leaves it, so the box is as tight as can be: what lies in its
+    // faces blocks nothing, and there is no outside to look around through.
+    structure.box_min = snapped(structure.grid, bounds_world.min);
+    structure.box_max = snapped(structure.grid, bounds_world.max);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (structure.box_max[axis] - structure.box_min[axis] >= 128) continue;
+        structure.box_min[axis] -= 64;
+        structure.box_max[axis] += 64;
+    }
+}
+
+/// The numbers of the planes of the box's faces.
+std::vector<int> box_planes(Structure& structure)
+{
+    std::vector<int> result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const std::int64_t place : {structure.box_min[axis], structure.box_max[axis]}) {
+            std::array<std::int64_t, 3> normal{};
+            normal[axis] = 1;
+            result.push_back(structure.planes.add(make_plane(normal, -static_cast<Int128>(place))).plane);
+        }
+    }
+    return result;
+}
+
+double largest_side(const Box& box)
+{
+    const glm::dvec3 s = box.size();
+    return std::max({s.x * s.y, s.y * s.z, s.z * s.x});
+}
+
+struct FlatPlanes {
+    std::vector<SidePlane> of_polygon;
+    std::vector<double> area;  ///< Of all polygons in the plane of each polygon, by polygon; squares of grid steps.
+};
+
+FlatPlanes planes_of(const std::vector<FlatPolygon>& polygons, Structure& structure)
+{
+    FlatPlanes planes;
+    std::vector<double> area_of_plane;
+    for (const FlatPolygon& flat : polygons) {
+        planes.of_polygon.push_back(structure.planes.add(flat.plane));
+        area_of_plane.resize(static_cast<std::size_t>(structure.planes.size()));
+        area_of_plane[static_cast<std::size_t>(planes.of_polygon.back().plane)] += flat.area;
+    }
+    for (const SidePlane& plane : planes.of_polygon)
+        planes.area.push_back(area_of_plane[static_cast<std::size_t>(plane.plane)]);
+    return planes;
+}
+
+/// Polygons of planes with much area first.
+std::vector<std::size_t> largest_first(const std::vector<FlatPolygon>& polygons, const FlatPlanes& planes)
+{
+    std::vector<std::size_t> order(polygons.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return planes.area[a] != planes.area[b] ? planes.area[a] > planes.area[b] : polygons[a].area > polygons[b].area;
+    });
+    return order;
+}
+
+BlockingPolygon blocking_polygon(const FlatPolygon& flat, const SidePlane& plane, bool is_detail, Structure& structure)
+{
+    BlockingPolygon polygon;
+    polygon.polygon = polygon_over_ring(structure.planes, plane.plane, flat.ring);
+    polygon.blocks_from_front = plane.is_flipped ? flat.blocks_from_back : flat.blocks_from_front;
+    polygon.blocks_from_back = plane.is_flipped ? flat.blocks_from_front : flat.blocks_from_back;
+    polygon.is_detail = is_detail;
+    return polygon;
+}
+
+/// The planes of the polygons; the area in each is what counts: a wall may be made of many small panels.
+void choose_polygons(const std::vector<FlatPolygon>& polygons, const Level& level, const StructureOptions& options,
+                     Structure& structure)
+{
+    const double square_m = structure.grid.step_m * structure.grid.step_m;
+    const std::vector<int> of_box = box_planes(structure);
+    const FlatPlanes planes = planes_of(polygons, structure);
+    const double least = options.least_area_share * structure.scene_side_m2 / square_m;
+    const double least_named = 0.1 * least;
+    int detail_count = 0;
+    for (const std::size_t i : largest_first(polygons, planes)) {
+        const SidePlane& plane = planes.of_polygon[i];
+        if (std::find(of_box.begin(), of_box.end(), plane.plane) != of_box.end()) continue;
+        const bool may_split =
+            level.structure ? polygons[i].is_named && planes.area[i] >= least_named : planes.area[i] >= least;
+        const bool is_detail = !may_split || structure.structure_count >= options.max_structure;
+        if (is_detail && detail_count >= options.max_details) {
+            ++structure.left_out;
+            continue;
+        }
+        BlockingPolygon polygon = blocking_polygon(polygons[i], plane, is_detail, structure);
+        if (is_detail && may_split)
+            structure.demoted_world.push_back(structure.grid.origin_world +
+                                              polygon.polygon.corners[0] * structure.grid.step_m);
+        detail_count += is_detail;
+        structure.structure_count += !is_detail;
+        structure.area_m2 += area(polygon.polygon) * square_m;
+        structure.polygons.push_back(std::move(polygon));
+    }
+    if (structure.structure_count > 0) return;
+    // Without structure there is one cluster, and nothing in it needs to be sealed.
+    structure.polygons.clear();
+    structure.area_m2 = 0.0;
+}
+
+}  // namespace
+
+Structure choose_structure(const Scene& scene, const Level& level, const StructureOptions& options)
+{
+    Structure structure;
+    structure.grid = grid_for(scene.bounds_world);
+    if (scene.bounds_world.is_empty()) {
+        structure.box_min = {-1, -1, -1};
+        structure.box_max = {1, 1, 1};
+        return structure;
+    }
+    set_box(structure, {scene.bounds_world.min - options.margin_m, scene.bounds_world.max + options.margin_m});
+    structure.scene_side_m2 = largest_side(scene.bounds_world);
+
+    const std::vector<char> is_named_node = named_nodes(scene, level);
+    std::vector<GridTriangle> triangles;
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        const Object& object = scene.objects[id];
+        const std::size_t node = static_cast<std::size_t>(object.node);
+        if (scene.nodes[node].is_animated) continue;
+        if (scene.materials[static_cast<std::size_t>(object.material)].alpha_mode != AlphaMode::opaque) continue;
+        add_object(scene, id, structure.grid, is_named_node[node] != 0, triangles);
+    }
+    keep_in_large_planes(triangles, options.max_triangles, structure.grid.step_m);
+    std::vector<FlatPolygon> polygons = merge_coplanar(triangles, 1e-5 / structure.grid.step_m);
+    choose_polygons(polygons, level, options, structure);
+    return structure;
+}
+
+}  // namespace hw

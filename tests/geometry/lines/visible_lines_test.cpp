@@ -1,0 +1,395 @@
+#include "hatchway/geometry/lines/visible_lines.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+#include "hatchway/geometry/lines/intersections.hpp"
+#include "hatchway/geometry/lines/line_chains.hpp"
+#include "tests/geometry/test_meshes.hpp"
+
+namespace {
+
+using namespace hw::test;
+using Class = hw::VisibleLineClass;
+
+const hw::LineCamera kFront{.eye_world = {0, 0, 10}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
+
+/// Pixels of a point as kFront sees it.
+glm::dvec2 pixel(const glm::dvec3& p)
+{
+    const double focal = 300.0 / std::tan(0.5 * kFront.fov_rad);
+    return {400.0 + focal * p.x / (10.0 - p.z), 300.0 - focal * p.y / (10.0 - p.z)};
+}
+
+double length_of(const hw::VisibleLine& line)
+{
+    double sum = 0.0;
+    for (std::size_t i = 1; i < line.points_px.size(); ++i)
+        sum += glm::distance(line.points_px[i - 1], line.points_px[i]);
+    return line.is_closed ? sum + glm::distance(line.points_px.back(), line.points_px.front()) : sum;
+}
+
+double total(const std::vector<hw::VisibleLine>& lines, bool is_visible, std::uint32_t object)
+{
+    double sum = 0.0;
+    for (const hw::VisibleLine& line : lines) {
+        if (line.is_visible == is_visible && line.object == object) sum += length_of(line);
+    }
+    return sum;
+}
+
+hw::Surface upright_square()
+{
+    hw::MeshData mesh = mesh_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0, 1, 2, 0, 2, 3});
+    return hw::build_surface(mesh);
+}
+
+glm::dmat4 at(double x, double y, double z)
+{
+    return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z));
+}
+
+}  // namespace
+
+TEST(visible_lines, a_square_is_one_closed_line_where_the_camera_sees_it)
+{
+    const hw::Surface square = upright_square();
+    const std::vector<hw::LineObject> objects{{&square}};
+    const auto lines = hw::find_visible_lines(objects, kFront);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].line_class, Class::border);
+    EXPECT_TRUE(lines[0].is_closed);
+    ASSERT_EQ(lines[0].points_px.size(), 4u);
+    for (const glm::dvec3& corner : {glm::dvec3(-1, -1, 0), glm::dvec3(1, -1, 0), glm::dvec3(1, 1, 0)}) {
+        const bool is_there = std::any_of(lines[0].points_px.begin(), lines[0].points_px.end(),
+                                          [&](const auto& p) { return glm::distance(p, pixel(corner)) < 1e-9; });
+        EXPECT_TRUE(is_there);
+    }
+}
+
+TEST(visible_lines, a_square_hides_the_part_of_another_that_is_behind_it)
+{
+    const hw::Surface square = upright_square();
+    const std::vector<hw::LineObject> objects{{&square}, {&square, at(1.0, 0.0, -2.0)}};
+    const auto lines = hw::find_visible_lines(objects, kFront, {.with_hidden = true});
+    // The left border of the far square is hidden whole, and the level borders as far as the near square's right side.
+    const double hidden = pixel({1, 0, 0}).x - pixel({0, 0, -2}).x;
+    const double height = pixel({0, -1, -2}).y - pixel({0, 1, -2}).y;
+    EXPECT_NEAR(total(lines, false, 1), height + 2.0 * hidden, 1e-6);
+    EXPECT_NEAR(total(lines, false, 0), 0.0, 0.0);
+    const double width = pixel({2, 0, -2}).x - pixel({0, 0, -2}).x;
+    EXPECT_NEAR(total(lines, true, 1), height + 2.0 * (width - hidden), 1e-6);
+}
+
+TEST(visible_lines, hidden_parts_are_left_out_unless_asked_for)
+{
+    const hw::Surface square = upright_square();
+    const std::vector<hw::LineObject> objects{{&square}, {&square, at(0.0, 0.0, -2.0)}};
+    EXPECT_EQ(total(hw::find_visible_lines(objects, kFront), false, 1), 0.0);
+    EXPECT_EQ(total(hw::find_visible_lines(objects, kFront), true, 1), 0.0);
+}
+
+TEST(visible_lines, a_line_through_a_face_is_cut_where_it_goes_through)
+{
+    const hw::Surface square = upright_square();
+    const glm::dmat4 crossing = glm::rotate(at(0, 0, 0), 0.5 * 3.141592653589793, glm::dvec3(1, 0, 0));
+    const std::vector<hw::LineObject> objects{{&square}, {&square, glm::scale(crossing, glm::dvec3(0.5, 0.5, 0.5))}};
+    // The second square lies level and half of it is behind the first; both its sides that go backward are cut at z =
+    // 0.
+    const auto raised = hw::LineCamera{.eye_world = {0, 3, 10}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
+    const auto lines = hw::find_visible_lines(objects, raised, {.with_hidden = true});
+    int cut_ends = 0;
+    for (const hw::VisibleLine& line : lines) {
+        if (line.object == 1 && line.is_visible && !line.is_closed) cut_ends += 2;
+    }
+    EXPECT_EQ(cut_ends, 2);
+    EXPECT_GT(total(lines, false, 1), 10.0);
+}
+
+TEST(visible_lines, lines_on_a_coplanar_neighbour_stay_visible)
+{
+    const hw::Surface square = upright_square();
+    const std::vector<hw::LineObject> objects{{&square}, {&square, glm::scale(at(0, 0, 0), glm::dvec3(0.5))}};
+    const auto lines = hw::find_visible_lines(objects, kFront, {.with_hidden = true});
+    EXPECT_EQ(total(lines, false, 1), 0.0);
+}
+
+TEST(visible_lines, opposite_flaps_and_duplicated_triangles_hide_nothing_of_themselves)
+{
+    const hw::MeshData front = mesh_of({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {0, 1, 2});
+    const hw::Surface flaps = hw::build_surface(joined({front, turned_over(front)}));
+    const hw::Surface twice = hw::build_surface(joined({front, front}));
+    for (const hw::Surface* surface : {&flaps, &twice}) {
+        const std::vector<hw::LineObject> objects{{surface}};
+        const auto lines = hw::find_visible_lines(objects, kFront, {.with_hidden = true});
+        EXPECT_EQ(total(lines, false, 0), 0.0);
+        EXPECT_GT(total(lines, true, 0), 100.0);
+    }
+}
+
+/// A triangle and what lies exactly in its plane, turned so that no coordinate is round, at an offset and a scale.
+hw::Surface turned(const hw::MeshData& mesh, float offset, float scale)
+{
+    glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(offset));
+    place = glm::rotate(place, 0.9f, glm::vec3(0.3f, 0.8f, 0.2f));
+    return hw::build_surface(moved(mesh, glm::scale(place, glm::vec3(scale))));
+}
+
+hw::LineCamera camera_at(float offset, float scale)
+{
+    const glm::dvec3 centre(offset);
+    return {.eye_world = centre + glm::dvec3(2.1, 1.3, 4.7) * static_cast<double>(scale),
+            .target_world = centre,
+            .size_px = {800, 600},
+            .near_m = 1e-3 * scale};
+}
+
+TEST(visible_lines, flaps_and_doubles_hide_nothing_at_any_offset_and_scale)
+{
+    const hw::MeshData front = mesh_of({{-1, -1, 0}, {1, -0.9f, 0.1f}, {0.1f, 1, 0.3f}}, {0, 1, 2});
+    for (const hw::MeshData& mesh :
+         {joined({front, turned_over(front)}), joined({front, front}), joined({front, turned_over(front), front})}) {
+        for (const auto& [offset, scale] :
+             {std::pair{0.0f, 1.0f}, {0.0f, 1e-6f}, {0.0f, 1e6f}, {1e3f, 1.0f}, {1e5f, 1e3f}, {1e6f, 1e4f}}) {
+            const hw::Surface surface = turned(mesh, offset, scale);
+            const std::vector<hw::LineObject> objects{{&surface}};
+            const auto lines = hw::find_visible_lines(objects, camera_at(offset, scale), {.with_hidden = true});
+            EXPECT_EQ(total(lines, false, 0), 0.0) << offset << " " << scale;
+            EXPECT_GT(total(lines, true, 0), 100.0) << offset << " " << scale;
+        }
+    }
+}
+
+TEST(visible_lines, within_an_object_the_smallest_step_behind_a_face_is_hidden)
+{
+    // The far square lies one unit in the last place behind the near one: no tolerance could tell both cases.
+    const float behind = std::nextafter(5.0f, 0.0f);
+    const hw::MeshData near = mesh_of({{-2, -2, 5}, {2, -2, 5}, {2, 2, 5}, {-2, 2, 5}}, {0, 1, 2, 0, 2, 3});
+    const auto far = [](float z) {
+        return mesh_of({{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}}, {0, 1, 2, 0, 2, 3});
+    };
+    const hw::LineCamera camera{.eye_world = {0.3, 0.2, 20}, .target_world = {0, 0, 5}, .size_px = {800, 600}};
+    const auto hidden = [&](float z) {
+        const hw::Surface both = hw::build_surface(joined({near, far(z)}), {.stitch_share = 0.0f});
+        const std::vector<hw::LineObject> objects{{&both}};
+        return total(hw::find_visible_lines(objects, camera, {.with_hidden = true}), false, 0);
+    };
+    EXPECT_EQ(hidden(5.0f), 0.0);
+    EXPECT_GT(hidden(behind), 200.0);
+}
+
+TEST(visible_lines, faces_that_are_culled_hide_nothing_and_carry_no_lines)
+{
+    const hw::Surface block = hw::build_surface(turned_over(box({-1, -1, -1}, {1, 1, 1})));
+    const hw::Surface square = upright_square();
+    const glm::dmat4 small = glm::scale(glm::dmat4(1.0), glm::dvec3(0.3));
+    std::vector<hw::LineObject> objects{{&block, glm::dmat4(1.0)}, {&square, small}};
+    EXPECT_EQ(total(hw::find_visible_lines(objects, kFront), true, 1), 0.0);
+    objects[0].is_culled = true;  // a room seen from outside through its wall
+    EXPECT_GT(total(hw::find_visible_lines(objects, kFront), true, 1), 100.0);
+}
+
+TEST(visible_lines, what_is_seen_through_hides_nothing)
+{
+    const hw::Surface square = upright_square();
+    std::vector<hw::LineObject> objects{{&square}, {&square, at(0.0, 0.0, -2.0)}};
+    objects[0].hides = false;
+    EXPECT_GT(total(hw::find_visible_lines(objects, kFront), true, 1), 100.0);
+}
+
+TEST(visible_lines, the_outline_of_a_sphere_is_one_closed_line)
+{
+    const hw::Surface ball = hw::build_surface(sphere(64, 32));
+    const std::vector<hw::LineObject> objects{{&ball, glm::rotate(glm::dmat4(1.0), 0.3, glm::dvec3(0.3, 0.5, 0.1))}};
+    const auto lines = hw::find_visible_lines(objects, kFront);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].line_class, Class::silhouette);
+    EXPECT_TRUE(lines[0].is_closed);
+    const double radius = 300.0 / std::tan(0.5 * kFront.fov_rad) / std::sqrt(99.0);
+    EXPECT_NEAR(length_of(lines[0]), 2.0 * 3.141592653589793 * radius, 0.01 * length_of(lines[0]));
+}
+
+TEST(visible_lines, of_a_box_nine_edges_are_visible)
+{
+    const hw::Surface block = hw::build_surface(box({-1, -1, -1}, {1, 1, 1}));
+    const std::vector<hw::LineObject> objects{{&block}};
+    const hw::LineCamera corner{.eye_world = {5, 6, 7}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
+    double visible = 0.0, hidden = 0.0;
+    std::size_t segments = 0;
+    for (const auto& line : hw::find_visible_lines(objects, corner, {.with_hidden = true})) {
+        EXPECT_EQ(line.line_class, Class::ridge);
+        (line.is_visible ? visible : hidden) += length_of(line);
+        if (line.is_visible) segments += line.points_px.size() - (line.is_closed ? 0 : 1);
+    }
+    EXPECT_EQ(segments, 9u);
+    EXPECT_GT(hidden, 0.2 * visible);
+}
+
+TEST(visible_lines, do_not_depend_on_the_scale_of_the_world)
+{
+    const hw::Surface ring = hw::build_surface(torus(32, 16));
+    std::vector<double> lengths;
+    for (const double scale : {1e-5, 1.0, 1e5}) {
+        const std::vector<hw::LineObject> objects{{&ring, glm::scale(glm::dmat4(1.0), glm::dvec3(scale))}};
+        const hw::LineCamera camera{.eye_world = glm::dvec3(2, 1.5, 2.5) * scale,
+                                    .target_world = {0, 0, 0},
+                                    .size_px = {800, 600},
+                                    .near_m = 0.001 * scale};
+        lengths.push_back(total(hw::find_visible_lines(objects, camera), true, 0));
+    }
+    EXPECT_NEAR(lengths[0], lengths[1], 1e-6 * lengths[1]);
+    EXPECT_NEAR(lengths[2], lengths[1], 1e-6 * lengths[1]);
+}
+
+TEST(visible_lines, cross_the_near_plane_without_a_jump)
+{
+    const hw::Surface floor = hw::build_surface(sheet(4, [](float, float) { return 0.0f; }));
+    const std::vector<hw::LineObject> objects{{&floor, glm::scale(at(-50, -1.7, -50), glm::dvec3(100))}};
+    const hw::LineCamera inside{.eye_world = {0, 0, 0}, .target_world = {0, 0, -1}, .size_px = {800, 600}};
+    for (const auto& line : hw::find_visible_lines(objects, inside)) {
+        for (const glm::dvec2& p : line.points_px) {
+            EXPECT_TRUE(p.x >= -1e-6 && p.x <= 800.000001 && p.y >= -1e-6 && p.y <= 600.000001);
+            EXPECT_GT(p.y, 300.0);  // below the horizon
+        }
+    }
+}
+
+TEST(visible_lines, have_the_length_that_rays_through_many_samples_find)
+{
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> place(-2.0f, 2.0f);
+    hw::MeshData all;
+    for (int i = 0; i < 25; ++i) {
+        const glm::vec3 low(place(random), place(random), place(random));
+        all = joined({all, box(low, low + glm::vec3(0.9f, 0.7f, 0.8f))});
+    }
+    const hw::Surface surface = hw::build_surface(all);
+    const glm::dvec3 eye = kFront.eye_world;
+    const auto is_seen = [&](const glm::dvec3& point) {
+        return std::none_of(surface.faces.begin(), surface.faces.end(), [&](const auto& face) {
+            const glm::dvec3 u = surface.positions[face[0]], v = surface.positions[face[1]],
+                             w = surface.positions[face[2]];
+            const glm::dvec3 normal = glm::cross(v - u, w - u), ray = point - eye;
+            const double t = glm::dot(normal, u - eye) / glm::dot(normal, ray);
+            if (!(t > 0.0 && t < 1.0 - 1e-6)) return false;
+            const glm::dvec3 hit = eye + t * ray;
+            return glm::dot(normal, glm::cross(v - u, hit - u)) >= 0.0 &&
+                   glm::dot(normal, glm::cross(w - v, hit - v)) >= 0.0 &&
+                   glm::dot(normal, glm::cross(u - w, hit - w)) >= 0.0;
+        });
+    };
+    double expected = 0.0, whole = 0.0;
+    const hw::EdgeRange ridges = hw::classes_at(surface, 0.7f).ridges[1];
+    for (std::uint32_t edge = ridges.begin; edge < ridges.end; ++edge) {
+        const glm::dvec3 a = surface.positions[hw::edge_vertices(surface, edge)[0]];
+        const glm::dvec3 b = surface.positions[hw::edge_vertices(surface, edge)[1]];
+        constexpr int kSamples = 200;
+        for (int k = 0; k < kSamples; ++k) {
+            const glm::dvec3 from = glm::mix(a, b, k / 200.0), to = glm::mix(a, b, (k + 1) / 200.0);
+            const double length = glm::distance(pixel(from), pixel(to));
+            whole += length;
+            if (is_seen(0.5 * (from + to))) expected += length;
+        }
+    }
+    const std::vector<hw::LineObject> objects{{&surface}};
+    const auto lines = hw::find_visible_lines(objects, kFront, {.with_hidden = true});
+    EXPECT_NEAR(total(lines, true, 0), expected, 0.003 * whole);
+    EXPECT_NEAR(total(lines, true, 0) + total(lines, false, 0), whole, 1e-6 * whole);
+    EXPECT_LT(expected, 0.7 * whole);
+}
+
+TEST(visible_lines, are_the_same_bytes_every_time)
+{
+    const hw::Surface ring = hw::build_surface(torus(48, 24));
+    const std::vector<hw::LineObject> objects{{&ring}, {&ring, at(0.5, 0.2, -1)}};
+    const auto first = hw::find_visible_lines(objects, kFront, {.with_hidden = true});
+    for (int i = 0; i < 3; ++i) {
+        const auto again = hw::find_visible_lines(objects, kFront, {.with_hidden = true});
+        ASSERT_EQ(again.size(), first.size());
+        for (std::size_t k = 0; k < first.size(); ++k) EXPECT_EQ(again[k].points_px, first[k].points_px);
+    }
+}
+
+TEST(visible_lines, are_the_same_bytes_for_any_number_of_threads)
+{
+    const hw::Surface ring = hw::build_surface(torus(96, 48));
+    std::vector<hw::LineObject> objects;
+    for (int i = 0; i < 12; ++i) objects.push_back({&ring, at(0.3 * i - 1.5, 0.2 * (i % 3), -0.4 * i)});
+    const auto cuts = hw::find_intersections(objects);
+    const auto drawn_with = [&](int threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(threads));
+        return hw::find_visible_lines(objects, kFront, {.with_hidden = true, .intersections = cuts});
+    };
+    const auto alone = drawn_with(1);
+    EXPECT_GT(alone.size(), 50u);
+    for (const int threads : {2, 3, 8}) {
+        const auto together = drawn_with(threads);
+        ASSERT_EQ(together.size(), alone.size());
+        for (std::size_t k = 0; k < alone.size(); ++k) {
+            EXPECT_EQ(together[k].object, alone[k].object);
+            EXPECT_EQ(together[k].is_visible, alone[k].is_visible);
+            EXPECT_EQ(together[k].points_px, alone[k].points_px);
+            EXPECT_EQ(together[k].inverse_depths, alone[k].inverse_depths);
+        }
+    }
+}
+
+TEST(visible_lines, of_a_tiny_model_have_all_their_rims)
+{
+    // A stepped ring: rims, creases, silhouettes that hide each other, as small as Line Art loses them.
+    const auto lengths = [](float scale) {
+        const hw::MeshData large = joined({torus(48, 24), moved(box({-2, -0.1f, -2}, {2, 0, 2}), glm::mat4(1.0f))});
+        const hw::Surface surface = hw::build_surface(moved(large, glm::scale(glm::mat4(1.0f), glm::vec3(scale))));
+        const std::vector<hw::LineObject> objects{{&surface}};
+        const hw::LineCamera camera{.eye_world = glm::dvec3(3, 2.5, 4) * static_cast<double>(scale),
+                                    .target_world = {0, 0, 0},
+                                    .size_px = {800, 600},
+                                    .near_m = 1e-3 * scale};
+        const auto lines = hw::find_visible_lines(objects, camera, {.with_hidden = true});
+        return std::array{total(lines, true, 0), total(lines, false, 0)};
+    };
+    const auto whole = lengths(1.0f);
+    EXPECT_GT(whole[1], 100.0);
+    for (const float scale : {1e-3f, 1e-6f}) {
+        const auto tiny = lengths(scale);
+        EXPECT_NEAR(tiny[0], whole[0], 1e-3 * whole[0]) << scale;
+        EXPECT_NEAR(tiny[1], whole[1], 1e-3 * whole[1]) << scale;
+    }
+}
+
+TEST(line_chains, pieces_that_meet_become_one_line)
+{
+    const std::vector<hw::LinePiece> pieces{
+        {{0, 0}, {1, 0}, 0, 1}, {{2, 0}, {1, 0}, 2, 1}, {{2, 0}, {2, 5}, 2, hw::kFreeEnd}};
+    const auto chains = hw::join_pieces(pieces);
+    ASSERT_EQ(chains.size(), 1u);
+    EXPECT_FALSE(chains[0].is_closed);
+    EXPECT_EQ(chains[0].points.size(), 4u);
+}
+
+TEST(line_chains, where_four_meet_the_straight_ones_go_on)
+{
+    const std::vector<hw::LinePiece> cross{
+        {{-1, 0}, {0, 0}, 1, 0}, {{0, -1}, {0, 0}, 2, 0}, {{0, 0}, {1, 0}, 0, 3}, {{0, 0}, {0, 1}, 0, 4}};
+    const auto chains = hw::join_pieces(cross);
+    ASSERT_EQ(chains.size(), 2u);
+    EXPECT_EQ(chains[0].points.front().y, chains[0].points.back().y);
+    EXPECT_EQ(chains[1].points.front().x, chains[1].points.back().x);
+}
+
+TEST(line_chains, a_ring_is_closed_and_repeats_no_point)
+{
+    const std::vector<hw::LinePiece> ring{{{0, 0}, {1, 0}, 0, 1}, {{0, 1}, {0, 0}, 2, 0}, {{1, 0}, {0, 1}, 1, 2}};
+    const auto chains = hw::join_pieces(ring);
+    ASSERT_EQ(chains.size(), 1u);
+    EXPECT_TRUE(chains[0].is_closed);
+    EXPECT_EQ(chains[0].points.size(), 3u);
+}

@@ -1,0 +1,42 @@
+// The measuring data beside the project: silhouettes of every model, edge for edge against rational arithmetic.
+#include <gtest/gtest.h>
+
+#include "measure/silhouettes/half_edge_mesh.hpp"
+#include "tests/geometry/glb_meshes.hpp"
+#include "tests/geometry/silhouettes/silhouette_checks.hpp"
+
+namespace {
+
+using namespace hw::test;
+
+class shared_models : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(shared_models, agree_edge_for_edge_with_exact_arithmetic)
+{
+    const auto files = shared_glb_files(GetParam());
+    if (files.empty()) GTEST_SKIP() << "the shared measuring data is absent";
+    for (const auto& file : files) {
+        for (const hw::MeshData& mesh : read_glb_meshes(file)) {
+            const hw::Surface surface = hw::build_surface(mesh);
+            EXPECT_EQ(wrong_edges_in_all_views(surface), 0u) << file;
+        }
+    }
+}
+
+TEST_P(shared_models, lose_no_face)
+{
+    const auto files = shared_glb_files(GetParam());
+    if (files.empty()) GTEST_SKIP() << "the shared measuring data is absent";
+    for (const auto& file : files) {
+        for (const hw::MeshData& mesh : read_glb_meshes(file)) {
+            const hw::Surface surface = hw::build_surface(mesh);
+            EXPECT_EQ(surface.faces.size() + surface.report.removed_faces, mesh.triangle_count()) << file;
+            EXPECT_EQ(hw::HalfEdgeMesh(surface).face_count(), surface.faces.size()) << file;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(folders, shared_models, testing::Values("models", "hard", "scenes"),
+                         [](const auto& folder) { return std::string(folder.param); });

@@ -1,0 +1,177 @@
+#include "hatchway/io/level/edit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hatchway/core/files.hpp"
+#include "hatchway/io/level/file.hpp"
+#include "tests/io/expect_error.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Assignments = std::vector<hw::StyleAssignment>;
+
+constexpr const char* kLevel = R"({
+  "format": "hatchway-level/1",
+  "scene": "hall.glb",   // the hall
+  "styles": {"ink": {"plugin": "pen_and_ink"}},
+  "assign": [
+    // everything first
+    {"nodes": "*", "style": "ink"},
+    {"nodes": "Hall/*", "certainty": 0.4}   /* known in part */
+    // add more here
+  ],
+  "exposure_ev": 12
+}
+)";
+
+class EditedLevel {
+ public:
+    EditedLevel()
+    {
+        folder_.write("hall.glb", "not opened");
+        file_ = folder_.write("hall.level.json", kLevel);
+    }
+    std::string edit(const std::string& text, const Assignments& assignments) const
+    {
+        return hw::with_assignments(text, assignments, file_);
+    }
+    hw::Level parse(const std::string& text) const { return hw::parse_level(text, file_); }
+    const fs::path& file() const { return file_; }
+
+ private:
+    TemporaryFolder folder_;
+    fs::path file_;
+};
+
+std::string with_list(const std::string& list)
+{
+    return R"({"format": "hatchway-level/1", "scene": "hall.glb", "assign": )" + list + "}";
+}
+
+}  // namespace
+
+TEST(level_edit, an_assignment_goes_to_the_end_and_all_else_stays)
+{
+    const EditedLevel level;
+    const std::string text = level.edit(kLevel, {{.nodes = "Hall/Column", .style = "photoreal"}});
+    const std::string expected = std::string(R"({
+  "format": "hatchway-level/1",
+  "scene": "hall.glb",   // the hall
+  "styles": {"ink": {"plugin": "pen_and_ink"}},
+  "assign": [
+    // everything first
+    {"nodes": "*", "style": "ink"},
+    {"nodes": "Hall/*", "certainty": 0.4},   /* known in part */
+    // add more here
+    {"nodes": "Hall/Column", "style": "photoreal"}
+  ],
+  "exposure_ev": 12
+}
+)");
+    EXPECT_EQ(text, expected);
+}
+
+TEST(level_edit, pressing_the_key_again_replaces_what_it_wrote)
+{
+    const EditedLevel level;
+    const std::string once = level.edit(kLevel, {{.nodes = "Hall/Column", .style = "photoreal"}});
+    const std::string twice = level.edit(once, {{.nodes = "Hall/Column", .style = "ink"}});
+    EXPECT_EQ(twice.find("photoreal"), std::string::npos);
+    EXPECT_EQ(level.parse(twice).assign.size(), 3u);
+    EXPECT_EQ(level.edit(twice, {{.nodes = "Hall/Column", .style = "photoreal"}}), once);
+}
+
+TEST(level_edit, an_entry_that_is_not_the_last_moves_to_the_end)
+{
+    const EditedLevel level;
+    std::string text = level.edit(kLevel, {{.nodes = "A", .style = "ink"}, {.nodes = "A/B", .style = "ink"}});
+    text = level.edit(text, {{.nodes = "A", .style = "photoreal"}});
+    const hw::Level read = level.parse(text);
+    ASSERT_EQ(read.assign.size(), 4u);
+    EXPECT_EQ(read.assign[2].nodes, "A/B");
+    EXPECT_EQ(read.assign[3].nodes, "A") << "it must win over the entry for its child";
+    EXPECT_EQ(read.assign[3].style, "photoreal");
+}
+
+TEST(level_edit, an_entry_that_says_more_is_kept)
+{
+    const EditedLevel level;
+    const std::string before = with_list(R"([{"nodes": "A", "style": "ink", "certainty": 1}])");
+    const hw::Level read = level.parse(level.edit(before, {{.nodes = "A", .style = "photoreal"}}));
+    ASSERT_EQ(read.assign.size(), 2u);
+    EXPECT_EQ(read.assign[0].certainty, 1.0);
+}
+
+TEST(level_edit, the_list_is_made_where_it_is_missing_or_empty)
+{
+    const EditedLevel level;
+    for (const std::string& before :
+         {std::string(R"({"format": "hatchway-level/1", "scene": "hall.glb"})"),
+          std::string("{\"format\": \"hatchway-level/1\", \"scene\": \"hall.glb\" // the hall\n}"), with_list("[]"),
+          with_list("[ ]"), with_list("[ // none yet\n ]"), with_list("[{\"nodes\": \"B\", \"style\": \"ink\"}]"),
+          with_list("[{\"nodes\": \"B\", \"style\": \"ink\"} // B\n]"),
+          with_list("[{\"nodes\": \"B\", \"style\": \"ink\"} /* ] */ ]")}) {
+        SCOPED_TRACE(before);
+        const hw::Level read = level.parse(level.edit(before, {{.nodes = "A", .style = "ink"}}));
+        ASSERT_FALSE(read.assign.empty());
+        EXPECT_EQ(read.assign.back().nodes, "A");
+        EXPECT_EQ(read.assign.size(), before.find("\"B\"") == std::string::npos ? 1u : 2u);
+    }
+}
+
+TEST(level_edit, brackets_quotes_and_comment_signs_in_texts_do_not_confuse_it)
+{
+    const EditedLevel level;
+    const std::string before = with_list(R"([{"nodes": "a]}\"//*", "style": "ink"}])");
+    const std::string text = level.edit(before, {{.nodes = "quote\" and \\ and \xc3\xa4", .style = "ink"}});
+    const hw::Level read = level.parse(text);
+    EXPECT_EQ(read.assign.at(0).nodes, "a]}\"//*");
+    EXPECT_EQ(read.assign.at(1).nodes, "quote\" and \\ and \xc3\xa4");
+}
+
+TEST(level_edit, a_hybrid_is_written_with_its_presence)
+{
+    const EditedLevel level;
+    const hw::PresenceField presence{.constant = 0.5f, .has_height = true, .from_m = 0.1f, .to_m = 3.0f};
+    const std::string text = level.edit(
+        kLevel, {{.nodes = "A", .style = "ink", .materials = "Stone", .over = "photoreal", .presence = presence}});
+    const hw::AssignRule rule = level.parse(text).assign.back();
+    EXPECT_EQ(rule.materials, "Stone");
+    EXPECT_EQ(rule.over, "photoreal");
+    EXPECT_EQ(rule.presence, presence);
+    EXPECT_EQ(level.parse(level.edit(text, {{.nodes = "A", .style = "ink"}})).assign.size(), 4u)
+        << "one material and all materials are different things";
+}
+
+TEST(level_edit, many_edits_read_as_the_last_of_each)
+{
+    const EditedLevel level;
+    std::string text = kLevel;
+    for (int i = 0; i < 40; ++i)
+        text = level.edit(text, {{.nodes = "Node_" + std::to_string(i * 7 % 5), .style = i % 2 ? "ink" : "photoreal"}});
+    const hw::Level read = level.parse(text);
+    EXPECT_LE(read.assign.size(), 2u + 6u);
+    EXPECT_NE(text.find("// add more here"), std::string::npos);
+}
+
+TEST(level_edit, writing_changes_the_file_and_an_error_does_not)
+{
+    const EditedLevel level;
+    const Assignments assignments{{.nodes = "A", .style = "ink"}};
+    hw::write_assignments(level.file(), assignments);
+    EXPECT_EQ(hw::read_level(level.file()).assign.back().nodes, "A");
+
+    hw::write_file_atomically(level.file(), std::string_view("{ broken"));
+    EXPECT_THROW(hw::write_assignments(level.file(), assignments), hw::Error);
+    EXPECT_EQ(hw::read_text_file(level.file(), 1000), "{ broken");
+}
+
+TEST(level_edit, a_bare_model_cannot_be_edited)
+{
+    const EditedLevel level;
+    const Assignments assignments{{.nodes = "A", .style = "ink"}};
+    EXPECT_THAT(error_of([&] { hw::write_assignments(level.file().parent_path() / "hall.glb", assignments); }).expected,
+                testing::HasSubstr(".json"));
+}

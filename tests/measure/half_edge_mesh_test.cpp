@@ -1,0 +1,44 @@
+#include "measure/silhouettes/half_edge_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hatchway/geometry/silhouettes/silhouettes.hpp"
+#include "tests/geometry/test_meshes.hpp"
+
+namespace {
+
+using namespace hw::test;
+
+}  // namespace
+
+TEST(half_edge_mesh, holds_every_face_of_a_manifold_without_new_vertices)
+{
+    const hw::Surface surface = hw::build_surface(torus(20, 10));
+    const hw::HalfEdgeMesh mesh(surface);
+    EXPECT_EQ(mesh.face_count(), surface.faces.size());
+    EXPECT_EQ(mesh.edge_count(), surface.edges.size());
+    EXPECT_EQ(mesh.duplicated_vertices(), 0u);
+}
+
+TEST(half_edge_mesh, loses_no_face_where_openmesh_refuses_one)
+{
+    const hw::MeshData two_boxes = joined({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})});
+    for (const hw::MeshData& mesh : {two_boxes, moebius_strip(20), klein_bottle(16, 12)}) {
+        const hw::Surface surface = hw::build_surface(mesh);
+        const hw::HalfEdgeMesh half_edges(surface);
+        EXPECT_EQ(half_edges.face_count(), surface.faces.size());
+        EXPECT_EQ(half_edges.face_count(), mesh.triangle_count());
+        EXPECT_GT(half_edges.duplicated_vertices(), 0u);
+        EXPECT_EQ(half_edges.vertex_count(), surface.positions.size() + half_edges.duplicated_vertices());
+    }
+}
+
+TEST(half_edge_mesh, its_plain_loop_finds_as_many_silhouettes_as_ours_from_a_harmless_eye)
+{
+    const hw::Surface surface = hw::build_surface(torus(40, 20));
+    const hw::HalfEdgeMesh mesh(surface);
+    std::vector<int> edges;
+    mesh.plain_silhouettes({glm::dvec3(3.1, 2.3, 1.7)}, edges);
+    hw::SilhouetteScratch scratch;
+    EXPECT_EQ(edges.size(), hw::all_silhouettes(surface, {glm::dvec3(3.1, 2.3, 1.7)}, {}, scratch).size());
+}
