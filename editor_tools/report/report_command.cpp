@@ -8,12 +8,15 @@
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <thread>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
 #include "program/commands.hpp"
+#include "report/figures_in_text.hpp"
 #include "report/report_page.hpp"
 
 namespace hw {
@@ -27,6 +30,7 @@ struct ReportArguments {
     std::string commit = "unknown commit";
     std::vector<std::string> only;
     bool is_reused = false;
+    fs::path pages;
 };
 
 std::string processor_name()
@@ -78,12 +82,28 @@ void refuse_unknown_sections(const std::vector<std::string>& wanted, const std::
             throw Error({.what = "--only " + name, .expected = fmt::format("one of: {}", fmt::join(names, ", "))});
 }
 
+/// Fills the figures of all Markdown pages of a folder; none is written when one of them has an unknown figure.
+void fill_pages(const fs::path& pages, const fs::path& report)
+{
+    std::map<fs::path, std::string> filled;
+    for (const auto& entry : fs::directory_iterator(pages)) {
+        if (entry.path().extension() != ".md") continue;
+        const std::string text = read_text_file(entry.path(), limits::kMaxFileBytes);
+        std::string result = fill_figures(text, entry.path().string(), report);
+        if (result != text) filled[entry.path()] = std::move(result);
+    }
+    for (const auto& [page, text] : filled) write_file_atomically(page, text);
+}
+
 void write_report(const ReportArguments& arguments)
 {
     std::error_code missing;
     if (!fs::is_directory(arguments.out, missing))
         throw Error(
             {.what = "is no folder", .file = arguments.out.string(), .expected = "an existing folder for --out"});
+    if (!arguments.pages.empty() && !fs::is_directory(arguments.pages, missing))
+        throw Error(
+            {.what = "is no folder", .file = arguments.pages.string(), .expected = "a folder of Markdown pages"});
     // Relative to the working folder: a report that is shown to others names no folder of this machine.
     const std::filesystem::path share = std::filesystem::proximate(installation_prefix() / "share" / "hatchway");
     const std::vector<ReportSection> plan = report_plan(share, arguments.data);
@@ -98,6 +118,7 @@ void write_report(const ReportArguments& arguments)
                               static_cast<int>(std::thread::hardware_concurrency()), today()};
     const fs::path page = arguments.out / "index.html";
     write_file_atomically(page, report_page(origin, sections));
+    if (!arguments.pages.empty()) fill_pages(arguments.pages, arguments.out);
     std::cout << page.string() << '\n';
 }
 
@@ -111,6 +132,7 @@ void add_report_command(CLI::App& app)
     command->add_option("--data", arguments->data, "A folder with models/*.glb and scenes/*.glb to measure, too");
     command->add_option("--commit", arguments->commit, "The commit that is measured, for the page");
     command->add_option("--only", arguments->only, "Names of sections; default: all");
+    command->add_option("--fill", arguments->pages, "A folder of Markdown pages whose figures are written anew");
     command->add_flag("--reuse", arguments->is_reused, "Make the page from the JSON files that are there");
     command->callback([arguments] { write_report(*arguments); });
 }

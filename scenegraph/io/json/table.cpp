@@ -31,18 +31,19 @@ void add_cells(const ordered_json& object, const std::string& prefix, std::map<s
 
 }  // namespace
 
-JsonTable read_json_table(const std::filesystem::path& file)
+JsonTable read_json_table(const std::filesystem::path& file, const std::string& rows)
 {
     const std::string text = read_text_file(file, limits::kMaxFileBytes);
     parse_json(text, file.string(), JsonComments::refused);  // refuses what is no JSON, or nested too deep to copy
     const ordered_json json = ordered_json::parse(text);
-    if (!json.is_object() || !json.contains("rows") || !json["rows"].is_array())
-        throw Error(
-            {.what = "is no measured result", .file = file.string(), .expected = "an object with a list \"rows\""});
+    if (!json.is_object() || !json.contains(rows) || !json[rows].is_array())
+        throw Error({.what = "is no measured result",
+                     .file = file.string(),
+                     .expected = "an object with a list \"" + rows + "\""});
     JsonTable table;
     for (const auto& [key, value] : json.items())
         if (!value.is_structured()) add_cells(ordered_json{{key, value}}, "", table.facts, nullptr);
-    for (const ordered_json& row : json["rows"]) {
+    for (const ordered_json& row : json[rows]) {
         table.rows.emplace_back();
         if (row.is_object()) add_cells(row, "", table.rows.back(), &table.columns);
     }

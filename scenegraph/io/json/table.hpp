@@ -14,13 +14,14 @@ using JsonCell = std::variant<std::monostate, bool, double, std::string>;
 /// A machine-readable result as a table. Members of nested objects are columns "outer.inner"; arrays inside of a row
 /// are left out.
 struct JsonTable {
-    std::map<std::string, JsonCell> facts;              ///< The plain members beside "rows".
+    std::map<std::string, JsonCell> facts;              ///< The plain members beside the rows.
     std::vector<std::string> columns;                   ///< In the order of their first appearance.
-    std::vector<std::map<std::string, JsonCell>> rows;  ///< The elements of "rows".
+    std::vector<std::map<std::string, JsonCell>> rows;  ///< The elements of the list.
 };
 
-/// Reads a file as `hatchway measure ... --json` writes it. Throws hw::Error when it is no such file.
-JsonTable read_json_table(const std::filesystem::path& file);
+/// Reads a file as `hatchway measure ... --json` writes it; `rows` names the list that becomes the table's rows. Throws
+/// hw::Error when it is no such file.
+JsonTable read_json_table(const std::filesystem::path& file, const std::string& rows = "rows");
 
 /// The number in a column, or `missing`.
 double number_in(const std::map<std::string, JsonCell>& row, const std::string& column, double missing);

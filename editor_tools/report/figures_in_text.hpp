@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace hw {
+
+/// Writes measured figures into a Markdown page, so that nobody types them. A figure stands between two comments:
+///
+///     <!--@NAME COLUMN=TEXT COLUMN=TEXT: COLUMN [xFACTOR] FORMAT-->figure<!--@-->
+///
+/// NAME.json in `report` is a result as `hatchway measure ... --json` writes it; "NAME.PART" takes the rows of its
+/// array PART instead of "rows". The row is the first whose columns have these texts; without any, the figure is one of
+/// the plain members. FACTOR multiplies it, FORMAT is that of a number, such as ".2f".
+///
+/// Throws hw::Error that names `page` and the figure when there is no such file, row, column or format.
+std::string fill_figures(const std::string& text, const std::string& page, const std::filesystem::path& report);
+
+}  // namespace hw

@@ -1,0 +1,77 @@
+// Figures in documents are those of the report.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "tests/program/run_program.hpp"
+
+namespace hw::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kDocs = fs::path(HATCHWAY_SOURCE_DIR) / "docs";
+
+/// A folder with the committed results as `report`, and an empty folder `pages`.
+class ReportFolder {
+ public:
+    ReportFolder()
+    {
+        fs::create_directories(folder_.path() / "report");
+        fs::create_directories(folder_.path() / "pages");
+        for (const auto& entry : fs::directory_iterator(kDocs / "report"))
+            if (entry.path().extension() == ".json")
+                fs::copy_file(entry.path(), folder_.path() / "report" / entry.path().filename());
+    }
+    fs::path page(const std::string& name) const { return folder_.path() / "pages" / name; }
+    ProgramResult fill() const
+    {
+        return run_program({"report", "--out", folder_ / "report", "--reuse", "--fill", folder_ / "pages"});
+    }
+    const TemporaryFolder& folder() const { return folder_; }
+
+ private:
+    TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST(report_program, every_figure_of_the_method_pages_is_that_of_the_report)
+{
+    const ReportFolder report;
+    std::size_t figures = 0;
+    for (const auto& entry : fs::directory_iterator(kDocs / "method")) {
+        fs::copy_file(entry.path(), report.page(entry.path().filename().string()));
+        const std::string text = bytes_of(entry.path());
+        for (std::size_t at = text.find("<!--@-->"); at != std::string::npos; at = text.find("<!--@-->", at + 1))
+            ++figures;
+    }
+    EXPECT_GT(figures, 100u);
+    const ProgramResult result = report.fill();
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const auto& entry : fs::directory_iterator(kDocs / "method"))
+        EXPECT_EQ(bytes_of(report.page(entry.path().filename().string())), bytes_of(entry.path()))
+            << entry.path().filename();
+}
+
+TEST(report_program, a_figure_that_was_typed_is_replaced)
+{
+    const ReportFolder report;
+    report.folder().write("pages/a.md", "| <!--@walk file=hall.level.json: inputs .0f-->5<!--@--> |\n");
+    ASSERT_EQ(report.fill().exit_code, 0);
+    EXPECT_THAT(bytes_of(report.page("a.md")), testing::HasSubstr("-->1000000<!--@-->"));
+}
+
+TEST(report_program, a_figure_that_no_result_has_is_refused_and_no_page_is_written)
+{
+    const ReportFolder report;
+    const std::string stale = "<!--@walk file=hall.level.json: inputs .0f-->5<!--@-->";
+    report.folder().write("pages/a.md", stale);
+    report.folder().write("pages/b.md", "<!--@walk file=hall.level.json: no_such_column .0f-->5<!--@-->");
+    const ProgramResult result = report.fill();
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, testing::HasSubstr("no_such_column"));
+    EXPECT_EQ(bytes_of(report.page("a.md")), stale);
+}
+
+}  // namespace hw::test
