@@ -14,22 +14,14 @@ constexpr float kPaperCreaseRad = 0.6981317f;  // 40 degrees
 constexpr double kHiddenWidth = 0.6;           // of a hidden line, and its opacity: it stays behind what is seen
 constexpr double kHiddenOpacity = 0.5;
 
-LineLook paper_look(float crease_rad)
+ObjectLineLook paper_look(float crease_rad)
 {
-    LineLook look;
-    look.crease_rad = crease_rad;
-    look.far.is_on = false;
-    return look;
+    ObjectLineLook paper{.crease_rad = crease_rad};
+    paper.look.far.is_on = false;
+    return paper;
 }
 
 }  // namespace
-
-const char* line_type_name(VisibleLineClass line_class)
-{
-    constexpr std::array<const char*, kLineClassCount> kNames{"silhouette", "ridge",  "valley",
-                                                              "border",     "artist", "intersection"};
-    return kNames[static_cast<std::size_t>(line_class)];
-}
 
 std::vector<VisibleLine> timed_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
                                              const VisibleLineOptions& options, int runs, double& seconds)
@@ -47,7 +39,7 @@ std::vector<VisibleLine> timed_visible_lines(std::span<const LineObject> objects
     return lines;
 }
 
-LevelLines::LevelLines(const Scene& scene, std::vector<ObjectInk> inks, std::optional<float> crease_rad)
+LevelLines::LevelLines(const Scene& scene, std::vector<ObjectPens> pens, std::optional<float> crease_rad)
     : scene_(scene), surfaces_(scene_surfaces(scene)), pens_(scene.objects.size())
 {
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
@@ -55,46 +47,45 @@ LevelLines::LevelLines(const Scene& scene, std::vector<ObjectInk> inks, std::opt
         objects_.push_back({.surface = &surfaces_[scene.objects[id].mesh],
                             .world_from_object = scene.world_from_object(id),
                             .hides = material.alpha_mode != AlphaMode::blend,
-                            .is_culled = !inks.empty() && !material.is_double_sided});
+                            .is_culled = !pens.empty() && !material.is_double_sided});
     }
-    if (inks.empty()) {
+    if (pens.empty()) {
         for (ObjectId id = 0; id < scene.objects.size(); ++id) {
             objects_[id].hides = true;
             objects_[id].crease_rad = crease_rad.value_or(kPaperCreaseRad);
-            pens_[id] = {{.look = paper_look(objects_[id].crease_rad)}};
+            pens_[id] = {paper_look(objects_[id].crease_rad)};
         }
     } else {
-        take_inks(inks, crease_rad);
-        find_object_seams(inks);
+        take_pens(pens, crease_rad);
+        find_object_seams(pens);
     }
 }
 
-void LevelLines::take_inks(const std::vector<ObjectInk>& inks, std::optional<float> crease_rad)
+void LevelLines::take_pens(const std::vector<ObjectPens>& pens, std::optional<float> crease_rad)
 {
     for (ObjectId id = 0; id < objects_.size(); ++id) {
         LineObject& object = objects_[id];
-        pens_[id] = inks[id].looks;
+        pens_[id] = pens[id].looks;
         object.is_drawn = !pens_[id].empty();
-        object.with_intersections = inks[id].has_intersections;
+        object.with_intersections = pens[id].edges.has_intersections;
         if (!object.is_drawn) continue;
         // Styles of one object that want different creases share the finer one: their lines lie on each other.
-        object.crease_rad = pens_[id][0].look.crease_rad;
-        for (const ObjectLineLook& pen : pens_[id])
-            object.crease_rad = std::min(object.crease_rad, pen.look.crease_rad);
+        object.crease_rad = pens_[id][0].crease_rad;
+        for (const ObjectLineLook& pen : pens_[id]) object.crease_rad = std::min(object.crease_rad, pen.crease_rad);
         if (crease_rad) object.crease_rad = *crease_rad;
     }
 }
 
-void LevelLines::find_object_seams(const std::vector<ObjectInk>& inks)
+void LevelLines::find_object_seams(const std::vector<ObjectPens>& pens)
 {
     std::vector<SeamObject> together;
     std::vector<ObjectId> ids;
     float crease_rad = 3.2f;
     for (ObjectId id = 0; id < objects_.size(); ++id) {
-        if (!inks[id].is_used) continue;
-        together.push_back({objects_[id].surface, objects_[id].world_from_object, inks[id].style_group});
+        if (!pens[id].edges.is_any()) continue;
+        together.push_back({objects_[id].surface, objects_[id].world_from_object, pens[id].edges.style_group});
         ids.push_back(id);
-        crease_rad = std::min({crease_rad, inks[id].crease_rad, objects_[id].crease_rad});
+        crease_rad = std::min({crease_rad, pens[id].edges.crease_rad[0], objects_[id].crease_rad});
     }
     seams_ = find_seams(together, {.crease_rad = crease_rad});
     for (std::size_t i = 0; i < ids.size(); ++i) objects_[ids[i]].seams = &seams_[i];
@@ -139,7 +130,7 @@ void LevelLines::append_groups(VectorObject& object, std::span<const VisibleLine
     const auto index = static_cast<std::size_t>(first.line_class);
     const double share = first.is_visible ? 1.0 : kHiddenWidth;
     for (const ObjectLineLook& pen : pens_[first.object]) {
-        VectorGroup group{.line_type = line_type_name(first.line_class),
+        VectorGroup group{.line_type = line_class_name(first.line_class),
                           .is_hidden = !first.is_visible,
                           .width_px = pen.look.width_px[index] * share,
                           .opacity = first.is_visible ? 1.0 : kHiddenOpacity,

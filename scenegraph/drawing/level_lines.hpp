@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "hatchway/core/vector_drawing.hpp"
 #include "hatchway/drawing/line_widths.hpp"
 #include "hatchway/geometry/lines/intersections.hpp"
 #include "hatchway/geometry/lines/visible_lines.hpp"
-#include "hatchway/io/drawings/vector_drawing.hpp"
 
 namespace hw {
 
@@ -14,9 +14,9 @@ namespace hw {
 /// for every camera.
 class LevelLines {
  public:
-    /// `inks`: one for each object; none: all objects are drawn with one pen, of paper whose two sides both hide.
+    /// `pens`: one for each object; none: all objects are drawn with one pen, of paper whose two sides both hide.
     /// `crease_rad` goes before what the styles say. `scene` must outlive this.
-    LevelLines(const Scene& scene, std::vector<ObjectInk> inks, std::optional<float> crease_rad);
+    LevelLines(const Scene& scene, std::vector<ObjectPens> pens, std::optional<float> crease_rad);
     LevelLines(const LevelLines&) = delete;
     LevelLines& operator=(const LevelLines&) = delete;
 
@@ -30,8 +30,8 @@ class LevelLines {
     VectorDrawing drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera);
 
  private:
-    void take_inks(const std::vector<ObjectInk>& inks, std::optional<float> crease_rad);
-    void find_object_seams(const std::vector<ObjectInk>& inks);
+    void take_pens(const std::vector<ObjectPens>& pens, std::optional<float> crease_rad);
+    void find_object_seams(const std::vector<ObjectPens>& pens);
     void find_crowding();
     void append_groups(VectorObject& object, std::span<const VisibleLine> lines, const LineWidths& widths) const;
 
@@ -47,7 +47,5 @@ class LevelLines {
 /// find_visible_lines(), so many times; `seconds` gets the median time.
 std::vector<VisibleLine> timed_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
                                              const VisibleLineOptions& options, int runs, double& seconds);
-
-const char* line_type_name(VisibleLineClass line_class);
 
 }  // namespace hw

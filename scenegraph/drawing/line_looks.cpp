@@ -1,24 +1,17 @@
 #include "hatchway/drawing/line_looks.hpp"
 
-#include <algorithm>
-
-#include "hatchway/plugin_host/style_set.hpp"
-#include "hatchway/stage/level_world.hpp"
+#include "hatchway/drawing/styled_items.hpp"
 
 namespace hw {
 namespace {
 
-/// Says yes to every shader: lines are found without a device.
-class NoPrograms final : public ProgramCache {
- public:
-    Program surface(std::string_view, std::string_view) override { return {1}; }
-    Program full_screen(std::string_view, std::string_view) override { return {1}; }
-};
-
-/// Writes down with which look each object's lines would be drawn.
+/// A pass that draws nothing and writes down each LineLook.
 class LookRecorder final : public Pass {
  public:
-    LookRecorder(const View& view, std::vector<ObjectInk>& inks) : view_(view), inks_(inks) {}
+    LookRecorder(const View& view, float crease_rad, std::vector<ObjectPens>& pens)
+        : view_(view), crease_rad_(crease_rad), pens_(pens)
+    {
+    }
 
     const View& view() const override { return view_; }
     Image image(const ImageKey&) const override { return {}; }
@@ -28,70 +21,37 @@ class LookRecorder final : public Pass {
     void lines(const LineLook& look, std::span<const DrawItem> items) override
     {
         for (const DrawItem& item : items)
-            inks_[item.object].looks.push_back({look, item.presence, item.is_presence_inverted, view_.time_s});
+            pens_[item.object].looks.push_back(
+                {look, crease_rad_, item.presence, item.is_presence_inverted, view_.time_s});
     }
 
  private:
     const View& view_;
-    std::vector<ObjectInk>& inks_;
+    float crease_rad_;
+    std::vector<ObjectPens>& pens_;
 };
-
-struct ObjectStyles {
-    int style = kNone;
-    int over = kNone;
-};
-
-DrawItem item_of(const Scene& scene, ObjectId id, const ObjectLook& look)
-{
-    const Object& object = scene.objects[id];
-    DrawItem item{.object = id,
-                  .mesh = &scene.meshes[object.mesh],
-                  .material = &scene.materials[object.material],
-                  .world_from_object = glm::mat4(scene.world_from_object(id)),
-                  .bounds_world = object.bounds_world};
-    item.certainty = static_cast<float>(look.certainty);
-    return item;
-}
-
-void add_need(ObjectInk& ink, const Needs& needs)
-{
-    if (!needs.edges) return;
-    ink.crease_rad = ink.is_used ? std::min(ink.crease_rad, needs.edges->crease_rad) : needs.edges->crease_rad;
-    ink.is_used = true;
-    ink.has_intersections = ink.has_intersections || needs.edges->intersections;
-}
 
 }  // namespace
 
-std::vector<ObjectInk> object_inks(const Level& level, const Scene& scene, const PluginRegistry& registry,
-                                   const View& view)
+std::vector<ObjectPens> object_pens(const Scene& scene, std::span<const NamedStyle> styles,
+                                    std::span<const StyledObject> objects, const View& view)
 {
-    NoPrograms programs;
-    StyleSet styles(registry, [&](const std::filesystem::path&) -> ProgramCache& { return programs; });
-    styles.set_level(level);
-    const std::vector<ObjectLook> looks = resolve_looks(level, scene, kFallbackStyle);
-    std::vector<ObjectInk> inks(scene.objects.size());
-    std::vector<ObjectStyles> used(scene.objects.size());
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        used[id].style = styles.use(looks[id].style, looks[id].style_pointer);
-        if (!looks[id].over.empty()) used[id].over = styles.use(looks[id].over, looks[id].style_pointer);
-        inks[id].style_group = static_cast<std::uint32_t>((used[id].style + 1) * 65536 + used[id].over + 1);
-    }
-    LookRecorder recorder(view, inks);
-    for (int style = 0; style < static_cast<int>(styles.styles().size()); ++style) {
-        Style& drawing = *styles.styles()[style].style;
+    std::vector<Needs> needs;
+    for (const NamedStyle& style : styles) needs.push_back(style.style->needs());
+    std::vector<ObjectPens> pens(objects.size());
+    const std::vector<EdgeDemand> demands = edge_demands(objects, needs);
+    for (ObjectId id = 0; id < objects.size(); ++id) pens[id].edges = demands[id];
+    for (int style = 0; style < static_cast<int>(styles.size()); ++style) {
+        if (!needs[style].edges) continue;
         std::vector<DrawItem> items;
-        for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-            if (used[id].style != style && used[id].over != style) continue;
-            add_need(inks[id], drawing.needs());
-            DrawItem item = item_of(scene, id, looks[id]);
-            if (used[id].over != kNone) item.presence = looks[id].presence;
-            item.is_presence_inverted = used[id].over != kNone && used[id].over != style;
-            items.push_back(item);
+        for (ObjectId id = 0; id < objects.size(); ++id) {
+            if (objects[id].style == style) items.push_back(item_of(scene, id, objects[id], false));
+            if (objects[id].over == style) items.push_back(item_of(scene, id, objects[id], true));
         }
-        if (!items.empty() && drawing.needs().edges) drawing.lines(recorder, items);
+        LookRecorder recorder(view, needs[style].edges->crease_rad, pens);
+        if (!items.empty()) styles[style].style->lines(recorder, items);
     }
-    return inks;
+    return pens;
 }
 
 }  // namespace hw

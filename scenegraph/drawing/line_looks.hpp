@@ -1,11 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "hatchway/plugin_host/plugin_registry.hpp"
+#include "hatchway/drawing/edge_demand.hpp"
 #include "hatchway/style/line_look.hpp"
 #include "hatchway/style/view.hpp"
-#include "hatchway/world/level.hpp"
 #include "hatchway/world/presence.hpp"
 
 namespace hw {
@@ -13,7 +13,8 @@ namespace hw {
 /// How one of an object's styles draws its lines.
 struct ObjectLineLook {
     LineLook look;
-    PresenceField field;  ///< The share that the style has in the object.
+    float crease_rad = 0.7f;  ///< Of the style's needs.
+    PresenceField field;      ///< The share that the style has in the object.
     bool is_inverted = false;
     double time_s = 0.0;
 
@@ -25,18 +26,14 @@ struct ObjectLineLook {
     }
 };
 
-/// What the styles of an object make of its edges.
-struct ObjectInk {
-    bool is_used = false;            ///< A style of the object draws edges.
-    float crease_rad = 0.0f;         ///< The smallest that its styles ask for.
-    bool has_intersections = false;  ///< A style draws where the object goes through others.
-    std::uint32_t style_group = 0;   ///< Objects of one group hide each other's seams.
+/// Which edges an object's styles draw, and how.
+struct ObjectPens {
+    EdgeDemand edges;
     std::vector<ObjectLineLook> looks;
 };
 
-/// Asks the styles of a level how they draw the lines of each object. They are prepared as for drawing, but no device
-/// is needed: shaders are not compiled. Throws hw::Error for a wrong style.
-std::vector<ObjectInk> object_inks(const Level& level, const Scene& scene, const PluginRegistry& registry,
-                                   const View& view);
+/// Asks every style how it draws the lines of its objects in a view, without drawing: one for each object.
+std::vector<ObjectPens> object_pens(const Scene& scene, std::span<const NamedStyle> styles,
+                                    std::span<const StyledObject> objects, const View& view);
 
 }  // namespace hw

@@ -20,11 +20,6 @@ double smooth_step(double from, double to, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-bool is_crease(VisibleLineClass line_class)
-{
-    return line_class == VisibleLineClass::ridge || line_class == VisibleLineClass::valley;
-}
-
 glm::dvec3 unit_normal(const Surface& surface, std::uint32_t face)
 {
     const auto& [a, b, c] = surface.faces[face];
@@ -109,23 +104,23 @@ InkedObject inked_object(const LineObject& object)
 }
 
 double LineWidths::far_share(const glm::dvec3& place_object, double distance_m, std::uint32_t edge,
-                             VisibleLineClass line_class, const FarPolicy& far, const InkedObject& object) const
+                             LineClass line_class, const FarPolicy& far, const InkedObject& object) const
 {
     if (!far.is_on || !object.crowding) return 1.0;
     const double window_m = far.full_spacing_px / kFullSpacingInWindows * distance_m / space_.focal_px();
     const double windows = window_m / (object.crowding->window() * object.metres_per_unit);
-    const glm::vec4 crowding = edge != kNoEdge && line_class != VisibleLineClass::silhouette
+    const glm::vec4 crowding = edge != kNoEdge && line_class != LineClass::silhouette
                                    ? crowding_on_edge(object, edge, glm::vec3(place_object))
                                    : object.crowding->at(glm::vec3(place_object));
     const double share = crowded_share(crowding, static_cast<float>(windows));
-    if (line_class == VisibleLineClass::silhouette || line_class == VisibleLineClass::border) return share;
+    if (is_contour(line_class)) return share;
     const double gone = FarPolicy::kInnerGone;
     const double inside = std::clamp((share - gone) / (1.0 - gone), 0.0, 1.0);
     const glm::dvec3 eye_object(object.object_from_world * glm::dvec4(eye_world_, 1.0));
     return glm::mix(share, inside, insideness(*object.object, edge, eye_object));
 }
 
-double LineWidths::width_at(const ImagePoint& point, std::uint32_t edge, VisibleLineClass line_class,
+double LineWidths::width_at(const ImagePoint& point, std::uint32_t edge, LineClass line_class,
                             const ObjectLineLook& pen, const InkedObject& object) const
 {
     const LineLook& look = pen.look;
@@ -134,7 +129,7 @@ double LineWidths::width_at(const ImagePoint& point, std::uint32_t edge, Visible
     const glm::dvec3 place_world = space_.world_of(point);
     double width = look.width_px[index] * pen.presence(place_world.y);
     if (is_crease(line_class) && edge != kNoEdge) {
-        const double least = look.crease_rad, whole = 0.5 * std::numbers::pi;
+        const double least = pen.crease_rad, whole = 0.5 * std::numbers::pi;
         const double fold = std::clamp((fold_rad(*object.object->surface, edge) - least) / (whole - least), 0.0, 1.0);
         width *= glm::mix(1.0, glm::mix(0.25, 1.0, fold), static_cast<double>(look.fold_weight));
     }

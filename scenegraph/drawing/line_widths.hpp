@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "hatchway/core/vector_drawing.hpp"
 #include "hatchway/drawing/line_looks.hpp"
 #include "hatchway/geometry/lines/image_space.hpp"
 #include "hatchway/geometry/lines/line_crowding.hpp"
-#include "hatchway/io/drawings/vector_drawing.hpp"
 
 namespace hw {
 
@@ -30,9 +30,9 @@ class LineWidths {
     std::vector<VectorLine> pieces(const VisibleLine& line, const ObjectLineLook& pen, const InkedObject& object) const;
 
  private:
-    double width_at(const ImagePoint& point, std::uint32_t edge, VisibleLineClass line_class, const ObjectLineLook& pen,
+    double width_at(const ImagePoint& point, std::uint32_t edge, LineClass line_class, const ObjectLineLook& pen,
                     const InkedObject& object) const;
-    double far_share(const glm::dvec3& place_object, double distance_m, std::uint32_t edge, VisibleLineClass line_class,
+    double far_share(const glm::dvec3& place_object, double distance_m, std::uint32_t edge, LineClass line_class,
                      const FarPolicy& far, const InkedObject& object) const;
 
     ImageSpace space_;

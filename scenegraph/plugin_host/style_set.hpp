@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hatchway/drawing/styled_object.hpp"
 #include "hatchway/plugin_host/guarded_style.hpp"
 #include "hatchway/plugin_host/make_style.hpp"
 #include "hatchway/render/renderer.hpp"

@@ -1,22 +1,9 @@
 #include "hatchway/render/frame_plan.hpp"
 
+#include "hatchway/drawing/styled_items.hpp"
+
 namespace hw {
 namespace {
-
-DrawItem make_item(const SceneInput& input, const VisibleObject& object, std::uint32_t slot)
-{
-    const Object& facts = input.scene->objects[object.object];
-    const StyledObject& look = input.objects[object.object];
-    DrawItem item;
-    item.object = object.object;
-    item.mesh = &input.scene->meshes[facts.mesh];
-    item.material = &input.scene->materials[facts.material];
-    item.world_from_object = glm::mat4(input.scene->world_from_object(object.object));
-    item.bounds_world = facts.bounds_world;
-    item.certainty = look.certainty;
-    item.slot = slot;
-    return item;
-}
 
 void add_blended(FramePlan& plan, int style, const DrawItem& item)
 {
@@ -31,29 +18,24 @@ FramePlan plan_frame(const SceneInput& input, const VisibleSet& visible)
 {
     FramePlan plan;
     plan.styles.resize(input.styles.size());
-    const auto is_blended = [&](const DrawItem& item) { return item.material->alpha_mode == AlphaMode::blend; };
+    const Scene& scene = *input.scene;
+    const auto is_blended = [&](ObjectId id) {
+        return scene.materials[scene.objects[id].material].alpha_mode == AlphaMode::blend;
+    };
     const auto count = static_cast<std::uint32_t>(visible.objects.size());
     for (std::uint32_t slot = 0; slot < count; ++slot) {
-        const StyledObject& look = input.objects[visible.objects[slot].object];
-        DrawItem item = make_item(input, visible.objects[slot], slot);
-        if (look.style == kNone || is_blended(item)) continue;
-        const bool has_over = look.over != kNone;
-        if (has_over) item.presence = look.presence;
-        item.is_presence_inverted = has_over;
-        plan.styles[look.style].base.push_back(item);
-        item.is_presence_inverted = false;
-        if (has_over) plan.styles[look.over].over.push_back(item);
+        const ObjectId id = visible.objects[slot].object;
+        const StyledObject& look = input.objects[id];
+        if (look.style == kNone || is_blended(id)) continue;
+        plan.styles[look.style].base.push_back(item_of(scene, id, look, false, slot));
+        if (look.over != kNone) plan.styles[look.over].over.push_back(item_of(scene, id, look, true, slot));
     }
     for (std::uint32_t slot = count; slot-- > 0;) {
-        const StyledObject& look = input.objects[visible.objects[slot].object];
-        DrawItem item = make_item(input, visible.objects[slot], slot);
-        if (look.style == kNone || !is_blended(item)) continue;
-        const bool has_over = look.over != kNone;
-        if (has_over) item.presence = look.presence;
-        item.is_presence_inverted = has_over;
-        add_blended(plan, look.style, item);
-        item.is_presence_inverted = false;
-        if (has_over) add_blended(plan, look.over, item);
+        const ObjectId id = visible.objects[slot].object;
+        const StyledObject& look = input.objects[id];
+        if (look.style == kNone || !is_blended(id)) continue;
+        add_blended(plan, look.style, item_of(scene, id, look, false, slot));
+        if (look.over != kNone) add_blended(plan, look.over, item_of(scene, id, look, true, slot));
     }
     return plan;
 }

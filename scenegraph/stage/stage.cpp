@@ -7,6 +7,7 @@
 #include "hatchway/core/files.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
+#include "hatchway/stage/level_styles.hpp"
 #include "hatchway/world/rule_place.hpp"
 
 namespace hw {
@@ -61,18 +62,12 @@ Stage::Shown Stage::with_looks(Level level, std::shared_ptr<const LevelWorld> wo
     require_maps(with_extra);
     Shown shown{std::move(level), std::move(world), {}, {}};
     shown.looks = resolve_looks(with_extra, shown.world->scene, kFallbackStyle);
-    shown.objects.reserve(shown.looks.size());
-    for (const ObjectLook& look : shown.looks) {
-        StyledObject object;
-        object.style = styles_.use(look.style, look.style_pointer);
-        if (!look.over.empty()) object.over = styles_.use(look.over, look.style_pointer);
-        object.presence = look.presence;
-        object.certainty = static_cast<float>(look.certainty);
-        for (const auto& [kind_name, name] : look.maps) {
+    shown.objects = styled_objects(shown.looks, styles_);
+    for (ObjectId id = 0; id < shown.objects.size(); ++id) {
+        for (const auto& [kind_name, name] : shown.looks[id].maps) {
             const MapKind kind = map_kind_of(kind_name);
-            object.maps[kind] = maps_.use(shown.level, kind, name, "/assign");  // known: required above
+            shown.objects[id].maps[kind] = maps_.use(shown.level, kind, name, "/assign");  // known: required above
         }
-        shown.objects.push_back(std::move(object));
     }
     return shown;
 }

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "hatchway/geometry/lines/line_class.hpp"
 #include "hatchway/param/param_visitor.hpp"
 
 namespace hw {
-
-/// The kinds of lines a drawing has, each with its own width and colour.
-enum class LineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
-inline constexpr int kLineClassCount = 6;
 
 /// How far objects keep from turning black: where lines of an object come closer together on the screen than
 /// `full_spacing_px`, they are drawn the thinner the closer they are, all of them with as much ink as lines so far

@@ -9,11 +9,13 @@
 namespace hw {
 namespace {
 
-std::vector<ObjectInk> all_inked(const Scene& scene, const LineLook& pen)
+std::vector<ObjectPens> all_with(const Scene& scene, const LineLook& pen)
 {
-    const ObjectInk ink{
-        .is_used = true, .crease_rad = pen.crease_rad, .has_intersections = true, .looks = {{.look = pen}}};
-    return std::vector<ObjectInk>(scene.objects.size(), ink);
+    ObjectPens pens;
+    pens.edges.crease_rad.push_back(pen.crease_rad);
+    pens.edges.has_intersections = true;
+    pens.looks.push_back({.look = pen, .crease_rad = pen.crease_rad});
+    return std::vector<ObjectPens>(scene.objects.size(), pens);
 }
 
 LineCamera line_camera(const CameraPlace& camera, glm::ivec2 size_px)
@@ -29,7 +31,7 @@ LineCamera line_camera(const CameraPlace& camera, glm::ivec2 size_px)
 ExactLines::ExactLines(const std::filesystem::path& file, const LineLook& pen)
     : level_(read_level_with(file, {})),
       world_(open_world(level_, nullptr)),
-      lines_(world_->scene, all_inked(world_->scene, pen), {}),
+      lines_(world_->scene, all_with(world_->scene, pen), {}),
       cuts_(&lines_.intersections())
 {
 }

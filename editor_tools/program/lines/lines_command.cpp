@@ -6,8 +6,11 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/drawing/level_lines.hpp"
+#include "hatchway/io/drawings/pdf_drawing.hpp"
+#include "hatchway/io/drawings/svg_drawing.hpp"
 #include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
+#include "hatchway/stage/level_styles.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/level/level_doubts.hpp"
@@ -63,12 +66,12 @@ VisibleLineOptions line_options(const LinesArguments& arguments)
 }
 
 /// The styles decide, where there are any: a bare model that was given none is drawn with one pen.
-std::vector<ObjectInk> inks_of(const LinesArguments& arguments, const Level& level, const Scene& scene,
-                               const View& view)
+std::vector<ObjectPens> pens_of(const LinesArguments& arguments, const Level& level, const Scene& scene,
+                                const View& view)
 {
     if (level.file == level.scene_file && arguments.styles.empty()) return {};
     const PluginRegistry registry({.folders = arguments.plugin_dirs});
-    return object_inks(level, scene, registry, view);
+    return level_pens(level, scene, registry, view);
 }
 
 JsonValue point_json(double x, double y)
@@ -90,7 +93,7 @@ JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& le
         JsonValue points = JsonValue::array();
         for (const glm::dvec2& point : line.points_px) points.push(point_json(point.x, point.y));
         JsonValue json = JsonValue::object();
-        json.set("object", level.name(line.object)).set("class", line_type_name(line.line_class));
+        json.set("object", level.name(line.object)).set("class", line_class_name(line.line_class));
         json.set("visible", line.is_visible).set("closed", line.is_closed).set("points", std::move(points));
         lines.push(std::move(json));
     }
@@ -123,7 +126,7 @@ void draw_lines(const LinesArguments& arguments)
     const LineCamera camera = line_camera(shot.camera, view);
     std::optional<float> crease_rad;
     if (arguments.crease_deg) crease_rad = static_cast<float>(*arguments.crease_deg * kRadians);
-    LevelLines lines(scene, inks_of(arguments, level, scene, view), crease_rad);
+    LevelLines lines(scene, pens_of(arguments, level, scene, view), crease_rad);
 
     VisibleLineOptions options = line_options(arguments);
     if (arguments.mode == "all") options.intersections = lines.intersections();

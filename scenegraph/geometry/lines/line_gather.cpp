@@ -135,7 +135,7 @@ class ObjectGathering {
         return edge >= object_.surface->edges.two_faced().begin && is_absent(unturned(b));
     }
 
-    void add_line(std::uint32_t edge, VisibleLineClass line_class)
+    void add_line(std::uint32_t edge, LineClass line_class)
     {
         if (is_behind_the_scenes(edge)) return;
         const auto [a, b] = edge_vertices(*object_.surface, edge);
@@ -153,25 +153,25 @@ class ObjectGathering {
     void add_lines()
     {
         const Surface& surface = *object_.surface;
-        const auto add_range = [&](EdgeRange range, VisibleLineClass line_class) {
+        const auto add_range = [&](EdgeRange range, LineClass line_class) {
             for (std::uint32_t edge = range.begin; edge < range.end; ++edge) add_line(edge, line_class);
         };
         const float crease_rad = options_.with_creases ? object_.crease_rad : kNoCreases;
         for (const std::uint32_t edge :
              drawn_contours(surface, drawn_.eye_object, {.crease_rad = crease_rad}, scratch_)) {
-            add_line(edge, VisibleLineClass::silhouette);
+            add_line(edge, LineClass::silhouette);
         }
         const EdgeClasses classes = classes_at(surface, crease_rad);
         if (options_.with_creases) {
-            for (const EdgeRange range : classes.ridges) add_range(range, VisibleLineClass::ridge);
-            for (const EdgeRange range : classes.valleys) add_range(range, VisibleLineClass::valley);
+            for (const EdgeRange range : classes.ridges) add_range(range, LineClass::ridge);
+            for (const EdgeRange range : classes.valleys) add_range(range, LineClass::valley);
         }
         if (options_.with_artist) {
-            for (const EdgeRange range : classes.artist) add_range(range, VisibleLineClass::artist);
+            for (const EdgeRange range : classes.artist) add_range(range, LineClass::artist);
         } else {
             add_marked_silhouettes(classes.artist);
         }
-        add_range(classes.borders, VisibleLineClass::border);
+        add_range(classes.borders, LineClass::border);
         add_kept_parts();
     }
 
@@ -185,7 +185,7 @@ class ObjectGathering {
             for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
                 const auto [a, b] = object_.surface->edges[edge].faces();
                 if (is_front_facing(scratch_, a) != is_front_facing(scratch_, b)) {
-                    add_line(edge, VisibleLineClass::silhouette);
+                    add_line(edge, LineClass::silhouette);
                 }
             }
         }
@@ -199,7 +199,7 @@ class ObjectGathering {
         for (const auto& [from, to] : object_.seams->kept) {
             const auto part = part_in_picture(space_, in_view(from), in_view(to));
             if (!part) continue;
-            found_.lines.push_back({index_, VisibleLineClass::border, {kFreeEnd, kFreeEnd}, {kNoFace, kNoFace}, *part});
+            found_.lines.push_back({index_, LineClass::border, {kFreeEnd, kFreeEnd}, {kNoFace, kNoFace}, *part});
         }
     }
 
@@ -223,7 +223,7 @@ void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects
                                           turn * (cut.ends_world[1] - camera.eye_world));
         if (!part) continue;
         const std::uint32_t owner = cut.objects[shows_intersections(objects[cut.objects[0]]) ? 0 : 1];
-        DrawnLine line{owner, VisibleLineClass::intersection, cut.joints, {}, *part};
+        DrawnLine line{owner, LineClass::intersection, cut.joints, {}, *part};
         for (int side = 0; side < 2; ++side)
             line.faces[side] = drawing.objects[cut.objects[side]].first_face + cut.faces[side];
         drawing.lines.push_back(line);

@@ -13,7 +13,7 @@ namespace hw {
 /// A straight line of the drawing before its hidden parts are removed: what the picture shows of it.
 struct DrawnLine {
     std::uint32_t object = 0;
-    VisibleLineClass line_class = VisibleLineClass::silhouette;
+    LineClass line_class = LineClass::silhouette;
     /// Of the surface, or joints of intersections; kFreeEnd where it is a part of an edge.
     std::array<std::uint32_t, 2> vertices{};
     std::array<std::uint32_t, 2> faces{};  ///< Numbers among all faces; kNoFace where there is none.

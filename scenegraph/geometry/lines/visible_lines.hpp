@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "hatchway/geometry/lines/line_class.hpp"
 #include "hatchway/geometry/lines/seams.hpp"
 #include "hatchway/geometry/surface/surface.hpp"
 
@@ -35,9 +36,6 @@ struct LineObject {
     bool is_culled = false;          ///< Faces that look away are not there: they hide nothing and carry no lines.
 };
 
-/// In the order of hw::LineClass of the styles.
-enum class VisibleLineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
-
 inline bool shows_intersections(const LineObject& object)
 {
     return object.is_drawn && object.with_intersections;
@@ -60,7 +58,7 @@ inline constexpr std::uint32_t kNoEdge = 0xffffffffu;
 /// A polyline of the drawing. All of it belongs to one object and class and is visible, or all of it is hidden.
 struct VisibleLine {
     std::uint32_t object = 0;  ///< Index into the objects given.
-    VisibleLineClass line_class = VisibleLineClass::silhouette;
+    LineClass line_class = LineClass::silhouette;
     bool is_visible = true;
     bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
     std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.

@@ -1,10 +1,11 @@
+#include "hatchway/io/drawings/pdf_drawing.hpp"
+
 #include <cairo-pdf.h>
 
 #include <memory>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
-#include "hatchway/io/drawings/vector_drawing.hpp"
 
 namespace hw {
 namespace {

@@ -1,3 +1,5 @@
+#include "hatchway/io/drawings/svg_drawing.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,12 +7,9 @@
 #include <set>
 
 #include "hatchway/core/files.hpp"
-#include "hatchway/io/drawings/vector_drawing.hpp"
 
 namespace hw {
 namespace {
-
-constexpr double kStep = 0.01;
 
 std::string escaped(const std::string& text)
 {
@@ -114,17 +113,6 @@ void append_group(std::string& text, const VectorGroup& group, const std::string
 }
 
 }  // namespace
-
-std::vector<glm::dvec2> rounded_points(const VectorLine& line)
-{
-    std::vector<glm::dvec2> points;
-    for (const glm::dvec2& point : line.points_px) {
-        const glm::dvec2 rounded(std::round(point.x / kStep) * kStep, std::round(point.y / kStep) * kStep);
-        if (points.empty() || points.back() != rounded) points.push_back(rounded);
-    }
-    if (line.is_closed && points.size() > 1 && points.front() == points.back()) points.pop_back();
-    return points;
-}
 
 std::string svg_text(const VectorDrawing& drawing)
 {

@@ -19,11 +19,6 @@ bool is_cut_by_angle(EdgeGroup group)
     return group == EdgeGroup::convex || group == EdgeGroup::reflex || group == EdgeGroup::reflex_silent;
 }
 
-bool is_crease(LineClass line_class)
-{
-    return line_class == LineClass::ridge || line_class == LineClass::valley;
-}
-
 /// Writes into each line where it lies on its stroke.
 void set_strokes(std::vector<LineVertex>& vertices)
 {

@@ -7,29 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "hatchway/drawing/styled_object.hpp"
 #include "hatchway/geometry/mesh_chunks.hpp"
 #include "hatchway/maps/map_levels.hpp"
-#include "hatchway/style/style.hpp"
 
 namespace hw {
 
 struct Lightmap;    // world/light/lightmap.hpp
 struct Visibility;  // world/visibility/visibility.hpp
-
-/// How one object is drawn. Indices point into SceneInput::styles and SceneInput::maps.
-struct StyledObject {
-    int style = kNone;       ///< kNone: the object is not drawn.
-    int over = kNone;        ///< A second style, drawn over the first with `presence`.
-    PresenceField presence;  ///< Of `over`; the first style keeps the rest.
-    float certainty = 1.0f;
-    std::map<MapKind, int> maps;
-};
-
-/// A prepared style. The owner keeps it alive while the renderer may draw with it.
-struct NamedStyle {
-    std::string name;
-    Style* style = nullptr;
-};
 
 /// Makes, sets and prepares the image pass that a key names; null when there is none of that name.
 using ImagePassSource = std::function<std::unique_ptr<ImagePass>(const ImageKey&)>;

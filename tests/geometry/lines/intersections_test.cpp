@@ -122,7 +122,7 @@ TEST(intersections, are_hidden_and_joined_like_all_lines)
     const hw::LineCamera camera{.eye_world = {6, 5, 8}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
     int visible = 0, hidden = 0;
     for (const auto& line : hw::find_visible_lines(objects, camera, {.with_hidden = true, .intersections = cuts})) {
-        if (line.line_class != hw::VisibleLineClass::intersection) continue;
+        if (line.line_class != hw::LineClass::intersection) continue;
         EXPECT_EQ(line.object, 0u);
         ++(line.is_visible ? visible : hidden);
     }

@@ -17,7 +17,7 @@
 namespace {
 
 using namespace hw::test;
-using Class = hw::VisibleLineClass;
+using Class = hw::LineClass;
 
 const hw::LineCamera kFront{.eye_world = {0, 0, 10}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
 

@@ -1,10 +1,11 @@
-#include "hatchway/io/drawings/vector_drawing.hpp"
+#include "hatchway/io/drawings/svg_drawing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "hatchway/core/files.hpp"
+#include "hatchway/io/drawings/pdf_drawing.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {
