@@ -48,12 +48,4 @@ class Context {
     bool has_debug_messages_ = false;
 };
 
-struct HeadlessOptions {
-    bool is_es = false;    ///< OpenGL ES 3.0 instead of desktop OpenGL 3.3 core.
-    bool is_debug = true;  ///< Ask the driver for debug messages.
-};
-
-/// A context without a window or a display (EGL surfaceless). Throws hw::Error, Fault::device, when there is none.
-std::unique_ptr<Context> make_headless_context(const HeadlessOptions& options = {});
-
 }  // namespace hw

@@ -1,4 +1,6 @@
 // EGL is linked directly: asking libepoxy for eglGetPlatformDisplay aborts before a display exists.
+#include "hatchway/gl/headless_context.hpp"
+
 #include "hatchway/gl/gl_api.hpp"
 //
 #include <EGL/egl.h>
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/gl/context.hpp"
 
 namespace hw {
 namespace {

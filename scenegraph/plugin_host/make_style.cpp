@@ -7,7 +7,6 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/param/param_reader.hpp"
 #include "hatchway/plugin_host/plugin_call.hpp"
-#include "hatchway/world/rule_place.hpp"
 
 namespace hw {
 namespace {

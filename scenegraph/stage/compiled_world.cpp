@@ -6,6 +6,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/progress.hpp"
+#include "hatchway/io/compiled/key.hpp"
 #include "hatchway/stage/level_world.hpp"
 
 namespace hw {

@@ -6,6 +6,7 @@
 #include "hatchway/drawing/line_looks.hpp"
 #include "hatchway/plugin_host/style_set.hpp"
 #include "hatchway/stage/level_world.hpp"
+#include "hatchway/world/looks.hpp"
 
 namespace hw {
 

@@ -8,7 +8,6 @@
 #include "hatchway/gl/context.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
 #include "hatchway/stage/level_styles.hpp"
-#include "hatchway/world/rule_place.hpp"
 
 namespace hw {
 namespace {

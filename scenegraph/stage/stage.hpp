@@ -12,6 +12,7 @@
 #include "hatchway/stage/file_watch.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/stage/map_store.hpp"
+#include "hatchway/world/looks.hpp"
 
 namespace hw {
 

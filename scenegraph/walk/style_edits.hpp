@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hatchway/world/level.hpp"
+#include "hatchway/world/looks.hpp"
 
 namespace hw {
 

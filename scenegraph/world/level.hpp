@@ -33,6 +33,12 @@ struct AssignRule {
     std::string pointer;
 };
 
+/// Where a key of a rule stands, for messages: "/assign/0/style". A rule of the command line is named by its option.
+inline std::string place_in(const AssignRule& rule, const std::string& key)
+{
+    return rule.pointer.starts_with('/') ? rule.pointer + '/' + key : rule.pointer;
+}
+
 /// "certainty_styles": the style of an object of at least this certainty; the largest that fits wins.
 struct CertaintyStyle {
     double from = 0.0;
@@ -74,21 +80,5 @@ struct Level {
     std::vector<Light> lights;  ///< Added to the model's.
     bool is_sealed = false;
 };
-
-/// What the rules say of one object once all have been applied.
-struct ObjectLook {
-    std::string style;          ///< A style of the level, or a plugin's name. Never empty.
-    std::string style_pointer;  ///< Where it was said.
-    std::string over;           ///< Empty: none.
-    PresenceField presence;     ///< Of `over`.
-    double certainty = 1.0;
-    std::map<std::string, std::string> maps;  ///< kind -> path relative to the level file.
-    bool collides = true;
-};
-
-/// Applies the model's extras, then "assign" from first to last, then the certainty table where no style was said, then
-/// `fallback_style`. One look for each object. Linear in rules x nodes. Throws hw::Error for a rule that names a node
-/// by an index that does not exist, or whose glob has a class that is never closed.
-std::vector<ObjectLook> resolve_looks(const Level& level, const Scene& scene, const std::string& fallback_style);
 
 }  // namespace hw

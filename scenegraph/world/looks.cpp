@@ -1,9 +1,9 @@
+#include "hatchway/world/looks.hpp"
+
 #include <charconv>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/glob.hpp"
-#include "hatchway/world/level.hpp"
-#include "hatchway/world/rule_place.hpp"
 
 namespace hw {
 namespace {

@@ -246,6 +246,36 @@ std::string objections_below(const std::vector<std::string>& folders)
     return all;
 }
 
+/// The text of the files from which entry points are called by name.
+std::string text_of(const fs::path& file)
+{
+    std::ifstream stream(kRoot / file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Sources that nobody includes by name: a program's main(), a command that a list names, what makes a plugin.
+bool is_entry_point(const fs::path& source)
+{
+    if (source.filename() == "main.cpp") return true;
+    const std::string adder = "add_" + source.stem().string() + '(';
+    for (const char* list : {"editor_tools/program/commands.hpp", "editor_tools/measure/measures.hpp"})
+        if (source.string().starts_with("editor_tools/") && text_of(list).find(adder) != std::string::npos) return true;
+    static const std::regex kPlugin(R"(\n(HW_STYLE|HW_IMAGE_PASS)\()");
+    return source.string().starts_with("npr_plugins/") && std::regex_search(text_of(source), kPlugin);
+}
+
+std::string sources_without_header(const std::string& top)
+{
+    std::string orphans;
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
+        const fs::path source = fs::relative(entry.path(), kRoot);
+        if (source.extension() != ".cpp" || is_entry_point(source)) continue;
+        const std::string header = fs::path(source).replace_extension(".hpp").string();
+        if (!fs::exists(kRoot / header)) orphans += source.string() + " has no header of its name\n";
+    }
+    return orphans;
+}
+
 }  // namespace
 
 TEST(layers, no_file_of_the_engine_looks_upwards)
@@ -281,6 +311,21 @@ TEST(layers, no_folder_holds_more_than_sixteen_concepts)
         EXPECT_FALSE(concepts.empty()) << top;
         for (const auto& [folder, names] : concepts) EXPECT_LE(names.size(), 16u) << folder;
     }
+}
+
+TEST(layers, every_source_has_the_header_of_its_name)
+{
+    for (const char* top : {"scenegraph", "editor_tools", "npr_plugins"}) EXPECT_EQ(sources_without_header(top), "");
+}
+
+TEST(layers, only_commands_that_a_list_names_and_plugins_are_entry_points)
+{
+    EXPECT_TRUE(is_entry_point("editor_tools/program/pictures/walk_command.cpp"));
+    EXPECT_TRUE(is_entry_point("editor_tools/measure/lines/measure_lines.cpp"));
+    EXPECT_TRUE(is_entry_point("npr_plugins/hybrid/hybrid.cpp"));
+    EXPECT_FALSE(is_entry_point("editor_tools/program/pictures/run_command.cpp"));
+    EXPECT_FALSE(is_entry_point("scenegraph/io/walk_command.cpp"));
+    EXPECT_FALSE(is_entry_point("npr_plugins/CMakeLists.txt"));
 }
 
 TEST(layers, each_forbidden_include_is_refused)

@@ -5,6 +5,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/io/images/images.hpp"
+#include "hatchway/io/images/png.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -5,6 +5,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/gl/gpu_target.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/gl/window.hpp"
 
 namespace hw {

@@ -5,6 +5,7 @@
 
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/gpu_target.hpp"
+#include "hatchway/gl/headless_context.hpp"
 
 namespace hw {
 namespace {

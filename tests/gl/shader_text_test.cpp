@@ -1,4 +1,5 @@
 #include "hatchway/gl/shader_text.hpp"
+#include "hatchway/gl/headless_context.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

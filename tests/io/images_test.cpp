@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "hatchway/io/images/images.hpp"
+#include "hatchway/io/images/png.hpp"
 #include "tests/io/expect_error.hpp"
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "measure/hatching/hatch_profile.hpp"
 
 using namespace hw;

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/render/view/camera_view.hpp"
 #include "hatchway/stage/stage.hpp"
 #include "measure/lines/line_error.hpp"

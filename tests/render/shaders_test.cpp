@@ -8,6 +8,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/gl/gpu_program.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/render/device/program_store.hpp"
 #include "tests/render/test_scenes.hpp"
 

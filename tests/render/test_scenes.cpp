@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/images/images.hpp"
 
 namespace hw::test {

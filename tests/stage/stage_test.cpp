@@ -1,4 +1,5 @@
 #include "hatchway/stage/stage.hpp"
+#include "hatchway/gl/headless_context.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
 #include "hatchway/walk/style_edits.hpp"
+#include "hatchway/world/looks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // What the author does while walking, on a copy of the paper's prism, with a context but no window.
 #include "hatchway/walk/walk_styles.hpp"
+#include "hatchway/gl/headless_context.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "hatchway/core/files.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "hatchway/world/looks.hpp"
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "hatchway/world/level.hpp"
+#include "hatchway/world/looks.hpp"
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/world/visibility/visibility.hpp"
 #include "measure/frame/frame_series.hpp"

@@ -12,6 +12,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/render/view/camera_view.hpp"
 #include "measure/frame/scale_level.hpp"

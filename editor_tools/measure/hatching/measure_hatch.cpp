@@ -9,6 +9,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "measure/hatching/hatch_probe.hpp"

@@ -9,6 +9,7 @@
 
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/plugin_host/make_style.hpp"

@@ -12,6 +12,7 @@
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/walk/walk_styles.hpp"
+#include "hatchway/world/looks.hpp"
 #include "measure/measures.hpp"
 #include "measure/walk/walk_fuzz.hpp"
 #include "program/arguments.hpp"

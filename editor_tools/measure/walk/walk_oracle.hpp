@@ -7,6 +7,7 @@
 
 #include "hatchway/core/box.hpp"
 #include "hatchway/world/level.hpp"
+#include "hatchway/world/looks.hpp"
 
 namespace hw::measure {
 

@@ -5,6 +5,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/plugin_host/make_style.hpp"
 #include "hatchway/render/renderer.hpp"
 #include "hatchway/render/view/camera_view.hpp"

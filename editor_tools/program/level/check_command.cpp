@@ -5,6 +5,7 @@
 
 #include "hatchway/core/log.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"

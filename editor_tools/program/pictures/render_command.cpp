@@ -8,6 +8,7 @@
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"

@@ -14,6 +14,7 @@
 #include "hatchway/render/view/camera_view.hpp"
 #include "hatchway/stage/whole_scene.hpp"
 #include "hatchway/world/camera_path.hpp"
+#include "hatchway/world/looks.hpp"
 #include "program/level/level_doubts.hpp"
 #include "program/pictures/shots.hpp"
 

@@ -126,15 +126,4 @@ bool are_collinear(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
            is_area_zero(p.z, p.x, q.z, q.x, pe.z, pe.x, qe.z, qe.x);
 }
 
-Viewpoint in_object(const Viewpoint& world, const glm::dmat4& world_from_object)
-{
-    constexpr double kSmallest = 1e-60;
-    const glm::dmat4 object_from_world = glm::inverse(world_from_object);
-    glm::dvec3 eye(object_from_world * glm::dvec4(world.eye, world.is_orthographic ? 0.0 : 1.0));
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(std::abs(eye[axis]) >= kSmallest) || !std::isfinite(eye[axis])) eye[axis] = 0.0;
-    }
-    return {eye, world.is_orthographic};
-}
-
 }  // namespace hw

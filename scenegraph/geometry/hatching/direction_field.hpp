@@ -20,8 +20,4 @@ struct DirectionField {
 /// ring. Where there is no curvature at all, directions are level.
 DirectionField principal_field(const WeldedMesh& mesh, const SmoothSides& sides);
 
-/// Coordinates of each corner 3 f + c whose first rises along the field and whose second rises to the left of it, seen
-/// from outside; continuous over sides that are not cut; metres as far as the surface allows.
-std::vector<glm::vec2> lay_out(const WeldedMesh& mesh, const SmoothSides& sides, const DirectionField& field);
-
 }  // namespace hw

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "hatchway/geometry/hatching/direction_field.hpp"
+#include "hatchway/geometry/hatching/direction_layout.hpp"
 #include "hatchway/geometry/surface/smooth_sides.hpp"
 #include "hatchway/geometry/surface/weld.hpp"
 

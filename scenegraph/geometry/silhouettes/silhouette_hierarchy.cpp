@@ -1,12 +1,13 @@
 // Only clusters whose box of planes the eye is not certain of are looked into: their planes give a bit for each face,
 // of the cluster and of its neighbours, and edges compare two of these bits, 32 edges at a time.
+#include "hatchway/geometry/silhouettes/silhouette_hierarchy.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/geometry/silhouettes/cluster_search.hpp"
-#include "hatchway/geometry/silhouettes/silhouette_stages.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
 
 namespace hw {

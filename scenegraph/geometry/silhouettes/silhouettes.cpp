@@ -8,7 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "hatchway/geometry/exact/predicates.hpp"
-#include "hatchway/geometry/silhouettes/silhouette_stages.hpp"
+#include "hatchway/geometry/silhouettes/silhouette_hierarchy.hpp"
+#include "hatchway/geometry/silhouettes/silhouettes_private.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
 
 namespace hw {

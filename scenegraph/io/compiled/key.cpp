@@ -1,7 +1,8 @@
+#include "hatchway/io/compiled/key.hpp"
+
 #include <glm/mat4x4.hpp>
 
 #include "hatchway/core/hash.hpp"
-#include "hatchway/io/compiled/level.hpp"
 
 namespace hw {
 namespace {

@@ -7,6 +7,8 @@
 #include "hatchway/core/hash.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
+#include "hatchway/io/compiled/read.hpp"
+#include "hatchway/io/compiled/write.hpp"
 
 namespace hw {
 namespace {

@@ -19,29 +19,12 @@ namespace hw {
 /// files are compiled anew.
 inline constexpr std::uint32_t kCompiledLevelVersion = 3;
 
-/// A tree deeper than this is refused; what compiles is far from it.
-inline constexpr int kMostTreeDepth = 4000;
-
-/// Of all that a level's visibility is made from: the scene's geometry as split_into_chunks() left it, what of it is
-/// opaque, double-sided or animated, the level's structure, and the options without effort, threads and budget.
-std::uint64_t compiled_level_key(const Scene& scene, const Level& level, const VisibilityOptions& options);
-
 /// A visibility and what it was made from. The same input gives the same bytes, for any number of threads.
 struct CompiledLevel {
     std::uint64_t key = 0;
     PvsEffort effort = PvsEffort::full;
     Visibility visibility;
 };
-
-/// The bytes of a compiled level: one FlatBuffer, see compiled_level.fbs. `chunks_of_mesh` as build_visibility() had
-/// it.
-std::vector<std::byte> compiled_level_bytes(const CompiledLevel& level, std::span<const MeshChunks> chunks_of_mesh);
-
-/// Reads a compiled level. Verifies the FlatBuffer and its hash, then every count, index, range and number, also that
-/// the nodes are one tree. Throws hw::Error that names `file` for whatever does not hold, for another version, and for
-/// a scene with other objects or chunks. Does not look at the key.
-CompiledLevel compiled_level_from_bytes(std::span<const std::byte> bytes, const Scene& scene,
-                                        std::span<const MeshChunks> chunks_of_mesh, const std::string& file);
 
 /// Where the compiled form of a level is kept: in the folder `.hatchway` beside the level, or in `cache_folder` under a
 /// name of its own for each level. Throws hw::Error if `.hatchway` is a link that leaves the level's project.

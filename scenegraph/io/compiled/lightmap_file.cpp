@@ -4,6 +4,7 @@
 #include "hatchway/core/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
+#include "hatchway/io/compiled/lightmap_bytes.hpp"
 #include "hatchway/io/level/file.hpp"
 
 namespace hw {

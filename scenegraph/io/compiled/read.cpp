@@ -1,4 +1,6 @@
 // Everything here is checked although the hash holds: it finds damage, not a file that was made to deceive.
+#include "hatchway/io/compiled/read.hpp"
+
 #include <compiled_level_generated.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/hash.hpp"
 #include "hatchway/core/limits.hpp"
-#include "hatchway/io/compiled/level.hpp"
 #include "hatchway/io/compiled/packed_rows.hpp"
 
 namespace hw {

@@ -1,10 +1,11 @@
+#include "hatchway/io/compiled/write.hpp"
+
 #include <compiled_level_generated.h>
 
 #include <map>
 #include <tuple>
 
 #include "hatchway/core/hash.hpp"
-#include "hatchway/io/compiled/level.hpp"
 #include "hatchway/io/compiled/packed_rows.hpp"
 
 namespace hw {

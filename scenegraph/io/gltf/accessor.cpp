@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "hatchway/io/gltf/check/check.hpp"
+#include "hatchway/io/gltf/check/buffers.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {

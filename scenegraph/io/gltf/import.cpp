@@ -5,9 +5,11 @@
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/io/gltf/edges.hpp"
+#include "hatchway/io/gltf/lights.hpp"
 #include "hatchway/io/gltf/materials.hpp"
 #include "hatchway/io/gltf/mesh.hpp"
 #include "hatchway/io/gltf/nodes.hpp"
+#include "hatchway/io/gltf/tangents.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {

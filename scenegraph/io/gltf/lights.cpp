@@ -1,3 +1,5 @@
+#include "hatchway/io/gltf/lights.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <set>
 
 #include "hatchway/core/log.hpp"
-#include "hatchway/io/gltf/nodes.hpp"
 
 namespace hw {
 namespace {

@@ -31,8 +31,4 @@ struct PrimitiveId {
 /// range, positions that are not finite or over limits::kMaxCoordinate, and totals over the limits.
 std::optional<MeshData> convert_primitive(const GltfModel& model, const PrimitiveId& id, ImportTotals& totals);
 
-/// Makes tangents from the texture coordinates that `use` samples, where the mesh has none. Vertices on the seam of a
-/// mirrored texture are doubled. Does nothing to a mesh without those coordinates.
-void add_tangents(MeshData& mesh, const TextureUse& use);
-
 }  // namespace hw

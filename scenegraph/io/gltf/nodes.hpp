@@ -18,10 +18,6 @@ NodeOrder order_nodes(const GltfModel& model);
 /// transform is not finite.
 void add_nodes(const GltfModel& model, const NodeOrder& order, Scene& scene);
 
-/// Adds the lights and cameras that hang on the scene's nodes.
-void add_lights(const GltfModel& model, const NodeOrder& order, Scene& scene);
-void add_cameras(const GltfModel& model, const NodeOrder& order, Scene& scene);
-
 /// EXT_mesh_gpu_instancing: the transforms of a node's instances, node from instance; empty when it has none. Throws
 /// hw::Error for attributes of wrong types or unequal counts.
 std::vector<glm::dmat4> instance_transforms(const GltfModel& model, int model_node);

@@ -1,7 +1,7 @@
+#include "hatchway/io/gltf/tangents.hpp"
+
 #include <cmath>
 #include <glm/geometric.hpp>
-
-#include "hatchway/io/gltf/mesh.hpp"
 
 namespace hw {
 namespace {

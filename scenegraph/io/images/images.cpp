@@ -1,10 +1,9 @@
 #include "hatchway/io/images/images.hpp"
 
-#include <fmt/format.h>
-
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
-#include "hatchway/io/images/codecs.hpp"
+#include "hatchway/io/images/jpeg.hpp"
+#include "hatchway/io/images/png.hpp"
 
 namespace hw {
 namespace {
@@ -16,17 +15,6 @@ bool starts_with(std::span<const std::byte> bytes, std::initializer_list<int> ma
 }
 
 }  // namespace
-
-void check_image_size(std::uint64_t width, std::uint64_t height, const ImageSource& source)
-{
-    const auto side = static_cast<std::uint64_t>(limits::kMaxImageSide);
-    const bool is_allowed =
-        width > 0 && height > 0 && width <= side && height <= side && width * height <= source.max_pixels;
-    if (is_allowed) return;
-    throw Error({.what = fmt::format("is an image of {} x {} pixels", width, height),
-                 .file = source.name,
-                 .expected = fmt::format("sides of 1 to {} and at most {} pixels", side, source.max_pixels)});
-}
 
 Pixels decode_image(std::span<const std::byte> bytes, const std::string& name, std::uint64_t max_pixels)
 {

@@ -21,9 +21,6 @@ Pixels decode_image(std::span<const std::byte> bytes, const std::string& name,
 /// Reads and decodes a file.
 Pixels read_image(const std::filesystem::path& file);
 
-/// Encodes as PNG. Equal pixels give equal bytes: no time stamp, fixed filter and compression.
-std::vector<std::byte> encode_png(const Pixels& pixels);
-
 /// Encodes and writes; readers see the old file or the new one. Throws hw::Error when the file cannot be written.
 void write_png(const std::filesystem::path& file, const Pixels& pixels);
 

@@ -1,3 +1,5 @@
+#include "hatchway/io/images/jpeg.hpp"
+
 #include <cstdio>
 
 #include <jpeglib.h>
@@ -5,7 +7,6 @@
 #include <csetjmp>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/io/images/codecs.hpp"
 
 namespace hw {
 namespace {

@@ -1,3 +1,5 @@
+#include "hatchway/io/images/png.hpp"
+
 #include <png.h>
 
 #include <csetjmp>
@@ -6,8 +8,6 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/limits.hpp"
-#include "hatchway/io/images/codecs.hpp"
-#include "hatchway/io/images/images.hpp"
 
 namespace hw {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "hatchway/core/box.hpp"
 #include "hatchway/world/level.hpp"
+#include "hatchway/world/looks.hpp"
 #include "hatchway/world/scene.hpp"
 
 namespace hw {

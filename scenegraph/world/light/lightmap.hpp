@@ -69,9 +69,4 @@ glm::vec3 baked_illuminance(const Lightmap& lightmap, const Scene& scene, const 
 /// keep their order. No effect for an empty layout or one per vertex. The layout was made for this mesh.
 void add_lightmap_stream(MeshData& mesh, const LightmapLayout& layout);
 
-/// The lightmap as bytes, and back. Reading checks a hash over all bytes, then every count, index and place against
-/// the scene, and throws hw::Error that names `file` for whatever does not fit.
-std::vector<std::byte> lightmap_bytes(const Lightmap& lightmap);
-Lightmap lightmap_from_bytes(std::span<const std::byte> bytes, const Scene& scene, const std::string& file);
-
 }  // namespace hw

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "hatchway/io/images/images.hpp"
+#include "hatchway/io/images/png.hpp"
 #include "tests/io/expect_error.hpp"
 #include "tests/io/gltf/model_builder.hpp"
 #include "tests/temporary_folder.hpp"

@@ -1,4 +1,5 @@
 #include "hatchway/world/collision/collision.hpp"
+#include "hatchway/world/looks.hpp"
 
 #include <gtest/gtest.h>
 

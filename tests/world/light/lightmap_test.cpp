@@ -8,6 +8,7 @@
 #include <set>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/io/compiled/lightmap_bytes.hpp"
 #include "hatchway/world/light/bake.hpp"
 #include "hatchway/world/light/charts.hpp"
 #include "hatchway/world/light/layout.hpp"
@@ -264,12 +265,19 @@ TEST(light_samples, the_first_64_fall_one_each_into_8_by_8_cells)
 
 TEST(light_samples, two_sequences_are_independent)
 {
-    std::vector<int> counts(16, 0);
-    for (std::uint32_t i = 0; i < 1024; ++i) {
-        const float a = sample_2d(i, 0, 5).x, b = sample_2d(i, 1, 5).x;
-        ++counts[static_cast<int>(a * 4.0f) * 4 + static_cast<int>(b * 4.0f)];
+    // Quarters of one against quarters of the other: chi-square with 9 degrees of freedom, whose mean is 9.
+    constexpr int kSeeds = 100;
+    double sum = 0.0;
+    for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        std::vector<int> counts(16, 0);
+        for (std::uint32_t i = 0; i < 1024; ++i) {
+            const float a = sample_2d(i, 0, seed).x, b = sample_2d(i, 1, seed).x;
+            ++counts[static_cast<int>(a * 4.0f) * 4 + static_cast<int>(b * 4.0f)];
+        }
+        for (const int count : counts) sum += (count - 64.0) * (count - 64.0) / 64.0;
     }
-    for (const int count : counts) EXPECT_NEAR(count, 64, 32);
+    printf("CHI %g\n", sum / kSeeds);
+    EXPECT_LT(sum / kSeeds, 11.0);
 }
 
 TEST(baked_light, final_quality_is_within_a_percent_under_a_point)
@@ -489,39 +497,6 @@ TEST(lightmap_key, changes_with_whatever_the_light_depends_on)
     LightSources brighter = room.sources;
     brighter.lights[0].intensity *= 1.001f;
     EXPECT_NE(lightmap_key(room.scene, brighter), key);
-}
-
-TEST(lightmap_file, comes_back_as_it_was)
-{
-    const LightCase& room = case_named("lit room");
-    const Lightmap lightmap = bake_lightmap(room.scene, room.sources, {.luxels_per_m = 2.0, .samples = 8});
-    EXPECT_EQ(lightmap_from_bytes(lightmap_bytes(lightmap), room.scene, "room.light"), lightmap);
-}
-
-TEST(lightmap_file, damaged_or_cut_short_is_refused)
-{
-    const LightCase& sun = case_named("sun");
-    const std::vector<std::byte> good =
-        lightmap_bytes(bake_lightmap(sun.scene, sun.sources, {.luxels_per_m = 1.0, .samples = 8}));
-    for (std::uint32_t i = 0; i < 10000; ++i) {
-        std::vector<std::byte> bad = good;
-        if (i % 4 == 0)
-            bad.resize(mixed(i) % bad.size());
-        else
-            bad[mixed(i) % bad.size()] ^= static_cast<std::byte>(1u << (mixed(i + 77) % 8));
-        EXPECT_THROW(lightmap_from_bytes(bad, sun.scene, "sun.light"), Error);
-    }
-}
-
-TEST(lightmap_file, of_another_scene_is_refused)
-{
-    const LightCase& sun = case_named("sun");
-    const std::vector<std::byte> bytes =
-        lightmap_bytes(bake_lightmap(sun.scene, sun.sources, {.luxels_per_m = 1.0, .samples = 8}));
-    EXPECT_THROW(lightmap_from_bytes(bytes, case_named("rectangle").scene, "sun.light"), Error);
-    Scene other = sun.scene;
-    std::swap(other.meshes[0].indices[0], other.meshes[0].indices[1]);
-    EXPECT_THROW(lightmap_from_bytes(bytes, other, "sun.light"), Error);
 }
 
 // The measures themselves, on broken input whose wrong value is known.

@@ -1,6 +1,7 @@
+#include "hatchway/io/gltf/check/buffers.hpp"
+
 #include <fmt/format.h>
 
-#include "hatchway/io/gltf/check/check.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "hatchway/core/error.hpp"
-#include "hatchway/io/gltf/check/property_rules.hpp"
+#include "hatchway/io/gltf/check/buffers.hpp"
+#include "hatchway/io/gltf/check/gltf_checked.hpp"
+#include "hatchway/io/gltf/check/gltf_rules.hpp"
+#include "hatchway/io/gltf/check/meshes.hpp"
+#include "hatchway/io/gltf/check/motion.hpp"
+#include "hatchway/io/gltf/check/nodes.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {
@@ -62,31 +66,6 @@ void check_cameras(const GltfChecked& gltf)
 }
 
 }  // namespace
-
-void GltfChecked::refuse(const std::string& pointer, std::string what, std::string expected) const
-{
-    throw Error({.what = std::move(what), .file = file, .pointer = pointer, .expected = std::move(expected)});
-}
-
-const json& GltfChecked::list(const char* name) const
-{
-    static const json kEmpty = json::array();
-    const auto found = root.find(name);
-    return found == root.end() ? kEmpty : *found;
-}
-
-std::uint64_t GltfChecked::whole(const json& object, const char* name, std::uint64_t fallback)
-{
-    const auto found = object.find(name);
-    return found == object.end() ? fallback : found->get<std::uint64_t>();
-}
-
-std::optional<std::size_t> GltfChecked::index(const json& object, const char* name)
-{
-    const auto found = object.find(name);
-    if (found == object.end()) return {};
-    return found->get<std::size_t>();
-}
 
 void check_gltf(json& document, const std::string& file)
 {

@@ -1,6 +1,7 @@
+#include "hatchway/io/gltf/check/meshes.hpp"
+
 #include <fmt/format.h>
 
-#include "hatchway/io/gltf/check/check.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {
@@ -22,11 +23,6 @@ const AttributeRule kAttributes[] = {
     {"TEXCOORD_0", {"VEC2"}, true}, {"TEXCOORD_1", {"VEC2"}, true}, {"COLOR_0", {"VEC3", "VEC4"}},
 };
 
-const json& accessor_at(const GltfChecked& gltf, const json& index)
-{
-    return gltf.list("accessors")[index.get<std::size_t>()];
-}
-
 void check_attribute(const GltfChecked& gltf, const AttributeRule& rule, const json& accessor,
                      const std::string& pointer)
 {
@@ -47,7 +43,7 @@ void check_attributes(const GltfChecked& gltf, const json& attributes, const std
 {
     std::uint64_t count = 0;
     for (const auto& [name, index] : attributes.items()) {
-        const json& accessor = accessor_at(gltf, index);
+        const json& accessor = gltf.accessor(index);
         const std::uint64_t own_count = gltf.whole(accessor, "count", 0);
         if (count != 0 && own_count != count)
             gltf.refuse(pointer_to(pointer, name), fmt::format("the attribute has {} elements", own_count),
@@ -77,8 +73,8 @@ void check_targets(const GltfChecked& gltf, const json& primitive, const std::st
         const std::string place = pointer_to(pointer, i);
         for (const auto& [name, index] : targets[i].items()) {
             if (!attributes.contains(name)) continue;
-            const std::uint64_t count = gltf.whole(accessor_at(gltf, index), "count", 0);
-            const std::uint64_t base_count = gltf.whole(accessor_at(gltf, attributes.at(name)), "count", 0);
+            const std::uint64_t count = gltf.whole(gltf.accessor(index), "count", 0);
+            const std::uint64_t base_count = gltf.whole(gltf.accessor(attributes.at(name)), "count", 0);
             if (count != base_count)
                 gltf.refuse(pointer_to(place, name), fmt::format("the target has {} elements", count),
                             fmt::format("{}, as the attribute has", base_count));
@@ -90,14 +86,8 @@ void check_primitive(const GltfChecked& gltf, const json& primitive, const std::
 {
     check_attributes(gltf, primitive.at("attributes"), pointer + "/attributes");
     if (primitive.contains("indices"))
-        check_indices(gltf, accessor_at(gltf, primitive.at("indices")), pointer + "/indices");
+        check_indices(gltf, gltf.accessor(primitive.at("indices")), pointer + "/indices");
     if (primitive.contains("targets")) check_targets(gltf, primitive, pointer + "/targets");
-}
-
-std::size_t target_count(const json& mesh)
-{
-    const json& primitives = mesh.at("primitives");
-    return primitives.empty() || !primitives[0].contains("targets") ? 0 : primitives[0].at("targets").size();
 }
 
 void check_weights(const GltfChecked& gltf, const json& owner, const json& mesh, const std::string& pointer)
@@ -107,46 +97,13 @@ void check_weights(const GltfChecked& gltf, const json& owner, const json& mesh,
                 fmt::format("{}, one for each morph target", target_count(mesh)));
 }
 
-void check_skin(const GltfChecked& gltf, const json& skin, const std::string& pointer)
-{
-    if (!skin.contains("inverseBindMatrices")) return;
-    const json& matrices = accessor_at(gltf, skin.at("inverseBindMatrices"));
-    if (matrices.at("type") != "MAT4" || matrices.at("componentType") != kFloat)
-        gltf.refuse(pointer + "/inverseBindMatrices", "the matrices are not MAT4 of floats");
-    if (gltf.whole(matrices, "count", 0) < skin.at("joints").size())
-        gltf.refuse(pointer + "/inverseBindMatrices", fmt::format("there are {} matrices", matrices.at("count").dump()),
-                    fmt::format("one for each of {} joints", skin.at("joints").size()));
-}
-
-/// Keys that a sampler must give for each key time.
-std::size_t values_per_key(const GltfChecked& gltf, const json& channel, const json& sampler)
-{
-    std::size_t count = sampler.value("interpolation", "LINEAR") == "CUBICSPLINE" ? 3 : 1;
-    const json& target = channel.at("target");
-    const auto node = gltf.index(target, "node");
-    if (target.at("path") != "weights" || !node) return count;
-    const auto mesh = gltf.index(gltf.list("nodes")[*node], "mesh");
-    return mesh ? count * target_count(gltf.list("meshes")[*mesh]) : count;
-}
-
-void check_channel(const GltfChecked& gltf, const json& animation, const json& channel, const std::string& pointer)
-{
-    const auto index = channel.at("sampler").get<std::size_t>();
-    const json& samplers = animation.at("samplers");
-    if (index >= samplers.size())
-        gltf.refuse(pointer + "/sampler", fmt::format("stands the number {}", index),
-                    fmt::format("an index below {}", samplers.size()));
-    if (channel.at("target").at("path") == "pointer") return;  // KHR_animation_pointer
-    const json& sampler = samplers[index];
-    const std::uint64_t keys = gltf.whole(accessor_at(gltf, sampler.at("input")), "count", 0);
-    const std::uint64_t values = gltf.whole(accessor_at(gltf, sampler.at("output")), "count", 0);
-    const std::uint64_t expected = keys * values_per_key(gltf, channel, sampler);
-    if (values != expected)
-        gltf.refuse(pointer + "/sampler", fmt::format("the sampler's output has {} elements", values),
-                    fmt::format("{}", expected));
-}
-
 }  // namespace
+
+std::size_t target_count(const json& mesh)
+{
+    const json& primitives = mesh.at("primitives");
+    return primitives.empty() || !primitives[0].contains("targets") ? 0 : primitives[0].at("targets").size();
+}
 
 void check_meshes(const GltfChecked& gltf)
 {
@@ -162,18 +119,6 @@ void check_meshes(const GltfChecked& gltf)
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (const auto mesh = gltf.index(nodes[i], "mesh"))
             check_weights(gltf, nodes[i], meshes[*mesh], pointer_to("/nodes", i));
-}
-
-void check_motion(const GltfChecked& gltf)
-{
-    const json& skins = gltf.list("skins");
-    for (std::size_t i = 0; i < skins.size(); ++i) check_skin(gltf, skins[i], pointer_to("/skins", i));
-    const json& animations = gltf.list("animations");
-    for (std::size_t i = 0; i < animations.size(); ++i) {
-        const json& channels = animations[i].at("channels");
-        for (std::size_t k = 0; k < channels.size(); ++k)
-            check_channel(gltf, animations[i], channels[k], pointer_to(pointer_to("/animations", i) + "/channels", k));
-    }
 }
 
 }  // namespace hw

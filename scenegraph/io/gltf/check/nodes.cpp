@@ -1,10 +1,11 @@
+#include "hatchway/io/gltf/check/nodes.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <vector>
 
 #include "hatchway/core/limits.hpp"
-#include "hatchway/io/gltf/check/check.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {

@@ -36,9 +36,6 @@ struct PropertyRule {
     std::span<const int> wholes = {};              ///< The allowed whole numbers; empty: any.
 };
 
-/// The rules of a whole glTF document, extensions that we read included.
-std::span<const PropertyRule> gltf_rules();
-
 /// Checks a document against rules: types, ranges, required properties and references. Unknown properties pass. Whole
 /// numbers that are written as 1.0 become whole. Throws hw::Error with the JSON pointer.
 void check_rules(nlohmann::json& document, std::span<const PropertyRule> rules, const std::string& file);

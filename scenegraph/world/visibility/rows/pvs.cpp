@@ -11,6 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include "hatchway/world/visibility/rows/flow_graph.hpp"
+#include "hatchway/world/visibility/rows/surely_seen.hpp"
 
 namespace hw {
 namespace {

@@ -1,7 +1,7 @@
+#include "hatchway/world/visibility/rows/surely_seen.hpp"
+
 #include <cmath>
 #include <limits>
-
-#include "hatchway/world/visibility/rows/flow_graph.hpp"
 
 namespace hw {
 namespace {

@@ -1,3 +1,4 @@
+#include "hatchway/io/compiled/key.hpp"
 #include "hatchway/io/compiled/level.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,8 @@
 #include "hatchway/core/hash.hpp"
 #include "hatchway/io/compiled/packed_rows.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
+#include "hatchway/io/compiled/read.hpp"
+#include "hatchway/io/compiled/write.hpp"
 #include "tests/world/scene_builder.hpp"
 
 namespace {

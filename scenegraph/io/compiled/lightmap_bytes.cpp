@@ -1,6 +1,8 @@
 // The bytes of a lightmap: a head, the layouts, the places, the luxels, and last a hash of all before it. Little-endian
 // like every machine that we build for. The hash finds damage; the checks after it keep a file that was made to deceive
 // from being read out of bounds.
+#include "hatchway/io/compiled/lightmap_bytes.hpp"
+
 #include <bit>
 #include <cstring>
 #include <span>
@@ -8,7 +10,6 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/hash.hpp"
 #include "hatchway/world/light/layout.hpp"
-#include "hatchway/world/light/lightmap.hpp"
 
 namespace hw {
 namespace {

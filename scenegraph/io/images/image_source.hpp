@@ -5,8 +5,6 @@
 #include <span>
 #include <string>
 
-#include "hatchway/core/pixels.hpp"
-
 namespace hw {
 
 /// An encoded image of a stranger. Private to io.
@@ -18,8 +16,5 @@ struct ImageSource {
 
 /// Throws hw::Error for a size over the limits. Called before the pixels are allocated.
 void check_image_size(std::uint64_t width, std::uint64_t height, const ImageSource& source);
-
-Pixels decode_png(const ImageSource& source);
-Pixels decode_jpeg(const ImageSource& source);
 
 }  // namespace hw

@@ -32,7 +32,4 @@ bool is_open_face_front(const Surface& surface, std::uint32_t face, const Viewpo
 bool is_twin_facing(const Surface& surface, std::uint32_t twin, const Viewpoint& viewpoint,
                     SilhouetteCounters& counters);
 
-/// Fills scratch.edges and returns the number of edges.
-std::uint32_t search_clusters(const SilhouetteSearch& search, SilhouetteScratch& scratch);
-
 }  // namespace hw

@@ -1,1 +1,0 @@
-#include "hatchway/geometry/mesh_data.hpp"

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hatchway/world/level.hpp"
+
+namespace hw {
+
+/// What the rules say of one object once all have been applied.
+struct ObjectLook {
+    std::string style;          ///< A style of the level, or a plugin's name. Never empty.
+    std::string style_pointer;  ///< Where it was said.
+    std::string over;           ///< Empty: none.
+    PresenceField presence;     ///< Of `over`.
+    double certainty = 1.0;
+    std::map<std::string, std::string> maps;  ///< kind -> path relative to the level file.
+    bool collides = true;
+};
+
+/// Applies the model's extras, then "assign" from first to last, then the certainty table where no style was said, then
+/// `fallback_style`. One look for each object. Linear in rules x nodes. Throws hw::Error for a rule that names a node
+/// by an index that does not exist, or whose glob has a class that is never closed.
+std::vector<ObjectLook> resolve_looks(const Level& level, const Scene& scene, const std::string& fallback_style);
+
+}  // namespace hw
