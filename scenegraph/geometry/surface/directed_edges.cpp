@@ -8,7 +8,7 @@ namespace hw {
 namespace {
 
 /// Counting sort by the smaller position, then a short sort in each bucket: linear on meshes.
-std::vector<EdgeUse> bucketed_by_low(std::span<const FaceCorners> faces, std::vector<std::uint32_t>& bucket_begin)
+std::vector<DirectedEdge> bucketed_by_low(std::span<const FaceCorners> faces, std::vector<std::uint32_t>& bucket_begin)
 {
     std::uint32_t highest = 0;
     for (const FaceCorners& face : faces) highest = std::max({highest, face[0], face[1], face[2]});
@@ -18,7 +18,7 @@ std::vector<EdgeUse> bucketed_by_low(std::span<const FaceCorners> faces, std::ve
     }
     for (std::size_t i = 1; i < bucket_begin.size(); ++i) bucket_begin[i] += bucket_begin[i - 1];
 
-    std::vector<EdgeUse> uses(3 * faces.size());
+    std::vector<DirectedEdge> uses(3 * faces.size());
     std::vector<std::uint32_t> next(bucket_begin.begin(), bucket_begin.end() - 1);
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
         for (std::uint8_t corner = 0; corner < 3; ++corner) {
@@ -31,22 +31,23 @@ std::vector<EdgeUse> bucketed_by_low(std::span<const FaceCorners> faces, std::ve
 
 }  // namespace
 
-std::vector<EdgeUse> sorted_edge_uses(std::span<const FaceCorners> faces)
+std::vector<DirectedEdge> sorted_directed_edges(std::span<const FaceCorners> faces)
 {
     std::vector<std::uint32_t> bucket_begin;
-    std::vector<EdgeUse> uses = bucketed_by_low(faces, bucket_begin);
+    std::vector<DirectedEdge> uses = bucketed_by_low(faces, bucket_begin);
     for (std::size_t bucket = 0; bucket + 1 < bucket_begin.size(); ++bucket) {
-        std::sort(
-            uses.begin() + bucket_begin[bucket], uses.begin() + bucket_begin[bucket + 1],
-            [](const EdgeUse& a, const EdgeUse& b) { return a.high != b.high ? a.high < b.high : a.face < b.face; });
+        std::sort(uses.begin() + bucket_begin[bucket], uses.begin() + bucket_begin[bucket + 1],
+                  [](const DirectedEdge& a, const DirectedEdge& b) {
+                      return a.high != b.high ? a.high < b.high : a.face < b.face;
+                  });
     }
     return uses;
 }
 
-std::vector<FaceCorners> face_neighbours(std::size_t face_count, std::span<const EdgeUse> uses)
+std::vector<FaceCorners> face_neighbours(std::size_t face_count, std::span<const DirectedEdge> uses)
 {
     std::vector<FaceCorners> neighbours(face_count, FaceCorners{kNoFace, kNoFace, kNoFace});
-    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    for_each_edge(uses, [&](std::span<const DirectedEdge> edge) {
         if (edge.size() != 2) return;
         neighbours[edge[0].face][edge[0].corner] = edge[1].face;
         neighbours[edge[1].face][edge[1].corner] = edge[0].face;

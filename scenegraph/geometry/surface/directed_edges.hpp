@@ -10,7 +10,7 @@ namespace hw {
 using FaceCorners = std::array<std::uint32_t, 3>;
 
 /// One face's use of an edge: its side from corner `corner` to the next.
-struct EdgeUse {
+struct DirectedEdge {
     std::uint32_t low;   ///< The smaller position id.
     std::uint32_t high;  ///< The larger.
     std::uint32_t face;
@@ -19,11 +19,11 @@ struct EdgeUse {
 };
 
 /// All sides of all faces, sorted by edge, then by face.
-std::vector<EdgeUse> sorted_edge_uses(std::span<const FaceCorners> faces);
+std::vector<DirectedEdge> sorted_directed_edges(std::span<const FaceCorners> faces);
 
-/// Calls `visit(std::span<const EdgeUse>)` for each edge with all its uses, in order.
+/// Calls `visit(std::span<const DirectedEdge>)` for each edge with all its uses, in order.
 template <typename Visit>
-void for_each_edge(std::span<const EdgeUse> uses, Visit&& visit)
+void for_each_edge(std::span<const DirectedEdge> uses, Visit&& visit)
 {
     for (std::size_t begin = 0; begin < uses.size();) {
         std::size_t end = begin + 1;
@@ -34,6 +34,6 @@ void for_each_edge(std::span<const EdgeUse> uses, Visit&& visit)
 }
 
 /// For each side of each face the face beyond it, over edges of exactly two faces; kNoFace elsewhere.
-std::vector<FaceCorners> face_neighbours(std::size_t face_count, std::span<const EdgeUse> uses);
+std::vector<FaceCorners> face_neighbours(std::size_t face_count, std::span<const DirectedEdge> uses);
 
 }  // namespace hw

@@ -15,7 +15,7 @@ struct Component {
 
 class WindingWalk {
  public:
-    WindingWalk(std::vector<FaceCorners>& faces, std::span<const EdgeUse> uses)
+    WindingWalk(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses)
         : faces_(faces), neighbours_(face_neighbours(faces.size(), uses)), is_opposed_(faces.size(), false)
     {
         repair_.face_component.assign(faces.size(), kNoFace);
@@ -85,7 +85,7 @@ class WindingWalk {
 
 }  // namespace
 
-WindingRepair repair_winding(std::vector<FaceCorners>& faces, std::span<const EdgeUse> uses)
+WindingRepair repair_winding(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses)
 {
     return WindingWalk(faces, uses).run();
 }

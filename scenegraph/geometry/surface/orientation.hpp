@@ -18,6 +18,6 @@ struct WindingRepair {
 /// Flips the minority of faces in every component whose winding is inconsistent. A consistent component is left as it
 /// is, also when it faces inward: that is a room. A component that cannot be oriented keeps its winding unless flipping
 /// leaves fewer inconsistent edges. Of two equal halves the one without the component's first face is flipped.
-WindingRepair repair_winding(std::vector<FaceCorners>& faces, std::span<const EdgeUse> uses);
+WindingRepair repair_winding(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses);
 
 }  // namespace hw

@@ -35,7 +35,7 @@ SmoothSides find_smooth_sides(const WeldedMesh& mesh, float crease_rad)
         sides.areas.push_back(0.5f * size);
     }
     const float crease_cosine = std::cos(crease_rad);
-    for_each_edge(sorted_edge_uses(mesh.faces), [&](std::span<const EdgeUse> uses) {
+    for_each_edge(sorted_directed_edges(mesh.faces), [&](std::span<const DirectedEdge> uses) {
         if (uses.size() != 2 || uses[0].is_forward == uses[1].is_forward) return;
         const std::uint32_t a = uses[0].face * 3 + uses[0].corner;
         const std::uint32_t b = uses[1].face * 3 + uses[1].corner;

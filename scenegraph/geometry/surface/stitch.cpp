@@ -55,11 +55,11 @@ class PositionGrid {
 
 class Stitcher {
  public:
-    Stitcher(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces, std::span<const EdgeUse> uses,
+    Stitcher(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses,
              float tolerance)
         : faces_(faces), grid_(positions, tolerance), tolerance_(tolerance)
     {
-        for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+        for_each_edge(uses, [&](std::span<const DirectedEdge> edge) {
             if (edge.size() == 1) add_border(edge[0]);
         });
         for (const auto& entry : leaving_) grid_.add(entry.first);
@@ -89,7 +89,7 @@ class Stitcher {
     }
 
  private:
-    void add_border(const EdgeUse& use)
+    void add_border(const DirectedEdge& use)
     {
         const std::uint32_t from = use.is_forward ? use.low : use.high, to = use.is_forward ? use.high : use.low;
         leaving_[from].push_back(static_cast<std::uint32_t>(borders_.size()));
@@ -161,7 +161,7 @@ class Stitcher {
 }  // namespace
 
 std::uint32_t stitch_borders(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces,
-                             std::span<const EdgeUse> uses, float tolerance)
+                             std::span<const DirectedEdge> uses, float tolerance)
 {
     if (!(tolerance > 0.0f)) return 0;
     return Stitcher(positions, faces, uses, tolerance).run();

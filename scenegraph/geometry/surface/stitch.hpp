@@ -13,6 +13,6 @@ namespace hw {
 /// their ends one position (that of the smaller id). Never makes two corners of a face equal; edges shorter than twice
 /// the tolerance are left alone. Returns the number of pairs. Positions that nothing uses any more stay in the list.
 std::uint32_t stitch_borders(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces,
-                             std::span<const EdgeUse> uses, float tolerance);
+                             std::span<const DirectedEdge> uses, float tolerance);
 
 }  // namespace hw

@@ -60,12 +60,12 @@ class SurfaceBuild {
             surface_.face_triangle.push_back(welded.face_triangle[face]);
         }
         position_of_vertex_ = std::move(welded.vertex_position);
-        uses_ = sorted_edge_uses(surface_.faces);
+        uses_ = sorted_directed_edges(surface_.faces);
         const std::vector<FaceCorners> before = surface_.faces;
         surface_.report.stitched_edges = stitch_borders(surface_.positions, surface_.faces, uses_, stitch_tolerance());
         if (surface_.report.stitched_edges == 0) return;
         drop_unused_positions(before);
-        uses_ = sorted_edge_uses(surface_.faces);
+        uses_ = sorted_directed_edges(surface_.faces);
     }
 
     float stitch_tolerance() const
@@ -105,7 +105,7 @@ class SurfaceBuild {
         surface_.face_component = std::move(repair.face_component);
         surface_.components.resize(repair.component_count);
         surface_.report.flipped_faces = repair.flipped_faces;
-        if (repair.flipped_faces > 0) uses_ = sorted_edge_uses(surface_.faces);
+        if (repair.flipped_faces > 0) uses_ = sorted_directed_edges(surface_.faces);
     }
 
     void inherit_planes()
@@ -137,9 +137,9 @@ class SurfaceBuild {
     void judge_components()
     {
         for (SurfaceComponent& component : surface_.components) component.is_closed = true;
-        for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
+        for_each_edge(uses_, [&](std::span<const DirectedEdge> edge) {
             if (edge.size() == 2 && edge[0].is_forward != edge[1].is_forward) return;
-            for (const EdgeUse& use : edge) component_of(use.face).is_closed = false;
+            for (const DirectedEdge& use : edge) component_of(use.face).is_closed = false;
         });
         const std::vector<double> volumes = signed_volumes();
         SurfaceReport& report = surface_.report;
@@ -177,8 +177,8 @@ class SurfaceBuild {
     void collect_edges()
     {
         SurfaceReport& report = surface_.report;
-        for_each_edge(uses_, [&](std::span<const EdgeUse> uses) {
-            const EdgeUse& use = uses[0];
+        for_each_edge(uses_, [&](std::span<const DirectedEdge> uses) {
+            const DirectedEdge& use = uses[0];
             Edge edge{Edge::side(use.face, use.corner), uses.size() == 1 ? kNoFace : uses[1].face};
             if (uses.size() != 2) {
                 ++(uses.size() == 1 ? report.border_edges : report.complex_edges);
@@ -240,7 +240,7 @@ class SurfaceBuild {
     const SurfaceOptions& options_;
     Surface surface_;
     std::vector<std::uint32_t> position_of_vertex_;
-    std::vector<EdgeUse> uses_;
+    std::vector<DirectedEdge> uses_;
     std::vector<InnerEdge> inner_;
 };
 
