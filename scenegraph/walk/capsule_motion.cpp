@@ -95,6 +95,15 @@ glm::dvec3 lifted(const glm::dvec3& way, const Planes& walls, const Planes& floo
     return result;
 }
 
+/// Moves as far along `way` as nothing is met.
+SweepHit advance(const CollisionWorld& world, const Gait& gait, const glm::dvec3& way, Motion& motion)
+{
+    const SweepHit hit = sweep_capsule(world, motion.foot_world, motion.foot_world + way, gait.capsule);
+    motion.foot_world = hit.foot_world;
+    motion.has_touched |= hit.is_hit;
+    return hit;
+}
+
 /// Slides a horizontal way; floors lift it, walls turn it.
 Motion slide_level(const CollisionWorld& world, const Gait& gait, const glm::dvec3& foot_world, const glm::dvec3& way)
 {
@@ -102,10 +111,8 @@ Motion slide_level(const CollisionWorld& world, const Gait& gait, const glm::dve
     Planes walls, floors;
     glm::dvec3 rest = way;
     for (int touch = 0; touch < kMaxTouches && glm::length(rest) > kNothing; ++touch) {
-        const SweepHit hit = sweep_capsule(world, motion.foot_world, motion.foot_world + rest, gait.capsule);
-        motion.foot_world = hit.foot_world;
+        const SweepHit hit = advance(world, gait, rest, motion);
         if (!hit.is_hit) break;
-        motion.has_touched = true;
         const glm::dvec3 flat = horizontal(hit.normal);
         if (hit.normal.y >= gait.steepest_cosine)
             floors.add(hit.normal);
@@ -128,10 +135,8 @@ Motion slide_free(const CollisionWorld& world, const Gait& gait, const glm::dvec
     Planes planes;
     glm::dvec3 rest = way;
     for (int touch = 0; touch < kMaxTouches && glm::length(rest) > kNothing; ++touch) {
-        const SweepHit hit = sweep_capsule(world, motion.foot_world, motion.foot_world + rest, gait.capsule);
-        motion.foot_world = hit.foot_world;
+        const SweepHit hit = advance(world, gait, rest, motion);
         if (!hit.is_hit) break;
-        motion.has_touched = true;
         planes.add(hit.normal);
         motion.velocity = clipped(way, planes);
         if (landing == Landing::on_ground && way.y <= 0.0 && carries(world, gait, hit)) {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "hatchway/core/limits.hpp"
+#include "hatchway/geometry/vertex_streams.hpp"
 #include "hatchway/io/gltf/accessor.hpp"
 #include "hatchway/io/json/text.hpp"
 
@@ -195,10 +196,7 @@ void unshare(std::vector<T>& stream, const std::vector<std::uint32_t>& corners)
 /// Gives each triangle its own vertices and its face's normal; zero for a triangle without area.
 void add_flat_normals(MeshData& mesh)
 {
-    unshare(mesh.positions, mesh.indices);
-    unshare(mesh.uv0, mesh.indices);
-    unshare(mesh.uv1, mesh.indices);
-    unshare(mesh.colours, mesh.indices);
+    for_each_stream(mesh, [&](auto& stream) { unshare(stream, mesh.indices); });
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) mesh.indices[i] = static_cast<std::uint32_t>(i);
     mesh.normals.resize(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
+
+#include "hatchway/geometry/vertex_streams.hpp"
 
 namespace hw {
 namespace {
@@ -53,16 +56,11 @@ std::vector<glm::vec2> sampled_coordinates(const MeshData& mesh, const TextureUs
 /// A copy of a vertex for the mirrored side of a seam.
 std::uint32_t double_vertex(MeshData& mesh, std::uint32_t vertex)
 {
-    const auto copy = [&](auto& stream) {
+    for_each_stream(mesh, [&](auto& stream) {
         if (stream.empty()) return;
         const auto value = stream[vertex];
         stream.push_back(value);
-    };
-    copy(mesh.positions);
-    copy(mesh.normals);
-    copy(mesh.uv0);
-    copy(mesh.uv1);
-    copy(mesh.colours);
+    });
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 

@@ -5,6 +5,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/geometry/vertex_streams.hpp"
 
 namespace hw {
 namespace {
@@ -79,12 +80,7 @@ void add_lightmap_stream(MeshData& mesh, const LightmapLayout& layout)
     if (layout.is_empty() || layout.is_per_vertex) return;
     HW_ASSERT(layout.indices.size() == mesh.indices.size());
     HW_ASSERT(layout.uv.size() == mesh.positions.size() + layout.copied_vertices.size());
-    append_copies(mesh.positions, layout.copied_vertices);
-    append_copies(mesh.normals, layout.copied_vertices);
-    append_copies(mesh.tangents, layout.copied_vertices);
-    append_copies(mesh.uv0, layout.copied_vertices);
-    append_copies(mesh.uv1, layout.copied_vertices);
-    append_copies(mesh.colours, layout.copied_vertices);
+    for_each_stream(mesh, [&](auto& stream) { append_copies(stream, layout.copied_vertices); });
     mesh.indices = layout.indices;
     mesh.lightmap_uv = layout.uv;
 }

@@ -4,23 +4,16 @@
 #include <array>
 #include <atomic>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec4.hpp>
 #include <numeric>
 #include <optional>
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "hatchway/world/visibility/rows/slot_triangles.hpp"
+
 namespace hw {
 namespace {
-
-/// How far a drawn triangle may lie from its snapped copy, and a little.
-double slack_m(const Grid& grid)
-{
-    return std::max(4.0 * grid.step_m, 3e-5);
-}
 
 int longest_axis(const glm::dvec3& size)
 {
@@ -103,30 +96,22 @@ struct Target {
 
 Target make_target(const SlotPlaces& places, std::uint32_t slot)
 {
-    const Object& object = places.scene.objects[places.slots[slot].object];
-    const std::size_t mesh_index = static_cast<std::size_t>(object.mesh);
-    const MeshData& mesh = places.scene.meshes[mesh_index];
-    const MeshChunk& chunk = places.chunks_of_mesh[mesh_index][places.slots[slot].chunk];
-    const glm::dmat4& matrix = places.scene.world_from_object(places.slots[slot].object);
-    const bool is_double_sided = places.scene.materials[static_cast<std::size_t>(object.material)].is_double_sided;
-    const double mirror_sign = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0 : 1.0;
     const glm::dvec3 origin = places.tree.grid.origin_world;
     Target target;
     target.slack = slack_m(places.tree.grid);
     std::vector<Box> boxes;
-    for (std::uint32_t i = 0; i < chunk.index_count; i += 3) {
+    for (const SlotTriangle& drawn : slot_triangles(places, slot)) {
         std::array<glm::dvec3, 3> corners;
         Box box;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t vertex = mesh.indices[chunk.first_index + i + k];
-            corners[k] = glm::dvec3(matrix * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0)) - origin;
+            corners[k] = drawn.corners_world[k] - origin;
             box.add(corners[k]);
         }
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double length = glm::length(normal);
         if (!(length > 0.0)) continue;  // never drawn
         TargetTriangle triangle;
-        if (!is_double_sided) triangle.normal = normal * (mirror_sign / length);
+        triangle.normal = normal * (drawn.facing_sign / length);
         triangle.offset = -glm::dot(triangle.normal, corners[0]);
         triangle.centre = (corners[0] + corners[1] + corners[2]) / 3.0;
         target.triangles.push_back(triangle);

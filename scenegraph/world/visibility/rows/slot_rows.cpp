@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec4.hpp>
+
+#include "hatchway/world/visibility/rows/slot_triangles.hpp"
 
 namespace hw {
 namespace {
@@ -26,12 +25,6 @@ struct Presence {
     std::vector<Facing> facings;
 };
 
-/// How far a drawn triangle may lie from its snapped copy, and a little.
-double slack_m(const Grid& grid)
-{
-    return std::max(4.0 * grid.step_m, 3e-5);
-}
-
 bool is_partly_in_front(const Box& box, const Facing& facing, double slack)
 {
     if (box.is_empty()) return true;
@@ -42,14 +35,15 @@ bool is_partly_in_front(const Box& box, const Facing& facing, double slack)
     return most > -slack;
 }
 
-void add_triangle(const SlotPlaces& places, const std::array<glm::dvec3, 3>& corners, double facing_sign,
-                  std::uint32_t slot, std::vector<std::vector<Presence>>& presences)
+void add_triangle(const SlotPlaces& places, const SlotTriangle& triangle, std::uint32_t slot,
+                  std::vector<std::vector<Presence>>& presences)
 {
+    const std::array<glm::dvec3, 3>& corners = triangle.corners_world;
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double length = glm::length(normal);
     if (!(length > 0.0)) return;  // never drawn
     Facing facing;
-    facing.normal = normal * (facing_sign / length);
+    facing.normal = normal * (triangle.facing_sign / length);
     facing.offset = -glm::dot(facing.normal, corners[0]);
     std::vector<int> leaves;
     leaves_of_polygon(places.tree, corners, facing.normal, slack_m(places.tree.grid), leaves);
@@ -64,28 +58,9 @@ void add_triangle(const SlotPlaces& places, const std::array<glm::dvec3, 3>& cor
         Presence& presence = here.back();
         if (presence.faces_all) continue;
         presence.facings.push_back(facing);
-        if (facing_sign != 0.0 && presence.facings.size() <= kMostFacings) continue;
+        if (triangle.facing_sign != 0.0 && presence.facings.size() <= kMostFacings) continue;
         presence.faces_all = true;
         presence.facings.clear();
-    }
-}
-
-void add_slot(const SlotPlaces& places, std::uint32_t slot, std::vector<std::vector<Presence>>& presences)
-{
-    const Object& object = places.scene.objects[places.slots[slot].object];
-    const std::size_t mesh_index = static_cast<std::size_t>(object.mesh);
-    const MeshData& mesh = places.scene.meshes[mesh_index];
-    const MeshChunk& chunk = places.chunks_of_mesh[mesh_index][places.slots[slot].chunk];
-    const glm::dmat4& matrix = places.scene.world_from_object(places.slots[slot].object);
-    const bool is_double_sided = places.scene.materials[static_cast<std::size_t>(object.material)].is_double_sided;
-    const double mirror_sign = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0 : 1.0;
-    for (std::uint32_t i = 0; i < chunk.index_count; i += 3) {
-        std::array<glm::dvec3, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t vertex = mesh.indices[chunk.first_index + i + k];
-            corners[k] = glm::dvec3(matrix * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0));
-        }
-        add_triangle(places, corners, is_double_sided ? 0.0 : mirror_sign, slot, presences);
     }
 }
 
@@ -103,7 +78,8 @@ LeafRows slots_seen(const SlotPlaces& places, const LeafRows& clusters_seen)
     LeafRows rows(places.tree.cluster_count, static_cast<int>(places.slots.size()));
     for (std::uint32_t slot = 0; slot < places.slots.size(); ++slot) {
         if (!is_animated(places, slot)) {
-            add_slot(places, slot, presences);
+            for (const SlotTriangle& triangle : slot_triangles(places, slot))
+                add_triangle(places, triangle, slot, presences);
             continue;
         }
         for (int cluster = 0; cluster < rows.leaf_count(); ++cluster) rows.show(cluster, static_cast<int>(slot));
