@@ -53,7 +53,8 @@ class MapCollector final : public ParamVisitor {
 std::unique_ptr<Style> style_of(const PluginRegistry& registry, const Level& level, const StyleDesc& style)
 {
     const std::string file = level.file.string();
-    const Plugin& plugin = require_plugin(registry, style.plugin, PluginKind::style, {file, style.pointer + "/plugin"});
+    const std::string place = style.pointer + (style.like.empty() ? "/plugin" : "/like");
+    const Plugin& plugin = require_plugin(registry, style.plugin, PluginKind::style, {file, place});
     return make_style(plugin, style.params, {file, style.pointer});
 }
 

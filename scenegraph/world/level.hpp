@@ -17,7 +17,8 @@ namespace hw {
 struct StyleDesc {
     std::string plugin;
     ParamSettings params;
-    std::string pointer;  ///< JSON pointer of the style, for messages.
+    std::string pointer;    ///< JSON pointer of the style, for messages.
+    std::string like = {};  ///< The style of the level from which it has what it does not state itself; empty: none.
 };
 
 /// One entry of "assign". Later entries win, each for the keys that it states.

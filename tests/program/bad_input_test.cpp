@@ -196,6 +196,14 @@ TEST_F(bad_input, walking_without_a_display)
     expect_refused(result, {"display"});
 }
 
+TEST_F(bad_input, styles_that_are_like_each_other)
+{
+    const std::string file = level(R"("styles": {"a": {"like": "b"}, "b": {"like": "a"}})");
+    expect_refused(run_program({"check", file}), {"bad.level.json", "/styles/b/like", "is like itself"});
+    const std::string wrong = level(R"("styles": {"a": {"like": "b"}, "b": {"plugin": "crayon"}})");
+    expect_refused(run_program({"check", wrong}), {"bad.level.json", "/styles/a/like", "crayon", "pen_and_ink"});
+}
+
 TEST_F(bad_input, a_plugin_folder_that_is_not_there)
 {
     expect_refused(render(folder_ / "prism.glb", {"--plugin-dir", folder_ / "none"}), {"none"});

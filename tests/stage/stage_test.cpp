@@ -79,6 +79,22 @@ TEST_F(stage, a_saved_level_shows)
     EXPECT_EQ(picture(), before);
 }
 
+TEST_F(stage, a_change_of_a_style_shows_in_those_that_are_like_it)
+{
+    const auto level = [](const char* colour) {
+        return std::string(R"({"format": "hatchway-level/1", "scene": "prism.glb", "styles": {
+            "drawn": {"plugin": "pen_and_ink", "paper_colour": ")") +
+               colour + R"("},
+            "fine": {"like": "drawn", "line_width_px": 1}}, "assign": [{"nodes": "*", "style": "fine"}]})";
+    };
+    write(level("#ffffff"));
+    reload();
+    const auto before = picture();
+    write(level("#80ffff"));
+    EXPECT_EQ(reload(), hw::Reload::looks);
+    EXPECT_NE(picture(), before);
+}
+
 TEST_F(stage, a_wrong_level_keeps_the_last_good_picture_and_watching_goes_on)
 {
     const auto before = picture();

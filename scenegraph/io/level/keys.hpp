@@ -133,7 +133,10 @@ void visit_keys(Visitor& v, CertaintyStyle& entry)
 template <typename Visitor>
 void visit_keys(Visitor& v, StyleDesc& style)
 {
-    v.text({"plugin", "The plugin that draws the style.", true}, style.plugin);
+    v.text({"plugin", "The plugin that draws the style."}, style.plugin);
+    v.text({"like", "A style of this level, in place of a plugin: its plugin and all parameters not stated here."},
+           style.like);
+    v.one_of("plugin", "like");
     v.params(style.params);
 }
 
@@ -163,7 +166,7 @@ void visit_keys(Visitor& v, Level& level)
     v.colour({"background", "#rrggbb of the sky; absent: paper."}, level.background);
     v.flag({"sealed", "The level is closed: report a leak when it is compiled."}, level.is_sealed);
     v.texts({"structure", "Nodes that partition space; absent: chosen automatically."}, level.structure);
-    v.named({"styles", "Styles by name: a plugin and its parameters."}, level.styles);
+    v.named({"styles", "Styles by name: a plugin, or another style, and parameters."}, level.styles);
     v.objects({"assign", "Which objects have which style, maps and certainty; later entries win."}, level.assign);
     v.objects({"certainty_styles", "The style of objects without one, by certainty."}, level.certainty_styles);
     v.named({"cameras", "Viewpoints by name."}, level.cameras);

@@ -9,6 +9,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/io/level/inherited_styles.hpp"
 #include "hatchway/param/param_reader.hpp"
 
 namespace hw {
@@ -195,6 +196,15 @@ std::optional<std::size_t> LevelReader::index_of(const LevelKey& key, std::span<
     return found - names.begin();
 }
 
+void LevelReader::one_of(std::string_view first, std::string_view second) const
+{
+    const std::string expected = fmt::format("either \"{}\" or \"{}\"", first, second);
+    if (!has(first) && !has(second))
+        refuse(pointer_, fmt::format("the keys \"{}\" and \"{}\" are missing", first, second), expected);
+    if (has(first) && has(second))
+        refuse(pointer_to(pointer_, second), fmt::format("stands beside \"{}\"", first), expected);
+}
+
 void LevelReader::params(ParamSettings& values)
 {
     is_open_ = true;
@@ -230,7 +240,7 @@ void LevelReader::require_look(const glm::dvec3& position, const glm::dvec3& loo
 void LevelReader::finish(const LevelReader& reader, StyleDesc& style)
 {
     style.pointer = reader.pointer();
-    if (!is_plugin_name(style.plugin))
+    if (style.like.empty() && !is_plugin_name(style.plugin))
         reader.refuse(reader.pointer() + "/plugin", "stands the text \"" + style.plugin + '"',
                       "a plugin's name of a-z, 0-9 and _");
 }
@@ -240,6 +250,11 @@ void LevelReader::finish(const LevelReader& reader, AssignRule& rule)
     rule.pointer = reader.pointer();
     if (rule.presence && !rule.over)
         reader.refuse(rule.pointer + "/presence", "there is nothing that it could show", "\"over\" in the same entry");
+}
+
+void LevelReader::finish(const LevelReader&, Level& level)
+{
+    inherit_styles(level);
 }
 
 void LevelReader::finish(const LevelReader& reader, StartPlace& place)

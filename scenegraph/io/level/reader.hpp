@@ -61,6 +61,8 @@ class LevelReader {
     bool file(const LevelKey& key, std::filesystem::path& value);
     bool constant(const LevelKey& key, std::string_view expected);
     void ignored(const LevelKey& key) { find(key); }
+    /// Exactly one of two keys that have been visited.
+    void one_of(std::string_view first, std::string_view second) const;
     void params(ParamSettings& values);
 
     template <typename T>
@@ -132,6 +134,7 @@ class LevelReader {
     static void finish(const LevelReader& reader, Camera& camera);
     static void finish(const LevelReader& reader, CameraPath& path);
     static void finish(const LevelReader& reader, Light& light);
+    static void finish(const LevelReader& reader, Level& level);
 
     const nlohmann::json* find(const LevelKey& key);
     const nlohmann::json* find_list(const LevelKey& key);

@@ -144,7 +144,12 @@ class SchemaWriter {
         return add(key, {{"type", "object"}, {"additionalProperties", object_schema(value)}});
     }
 
-    /// Parameters of the plugin that is named beside them.
+    void one_of(std::string_view first, std::string_view second)
+    {
+        one_of_ = {{{"required", {first}}}, {{"required", {second}}}};
+    }
+
+    /// Parameters of the plugin that is named beside them; left open where another style names it.
     void params(ParamSettings&)
     {
         is_open_ = true;
@@ -153,7 +158,8 @@ class SchemaWriter {
         for (const StyleSchema& plugin : plugins_) {
             Json properties = {{"plugin", {{"const", plugin.name}, {"description", plugin.summary}}}};
             for (const ParamSchema& param : plugin.params) properties[param.name] = param_schema(param);
-            const Json is_this_plugin = {{"properties", {{"plugin", {{"const", plugin.name}}}}}};
+            const Json is_this_plugin = {{"required", {"plugin"}},
+                                         {"properties", {{"plugin", {{"const", plugin.name}}}}}};
             alternatives_.push_back(
                 {{"if", is_this_plugin}, {"then", {{"properties", properties}, {"additionalProperties", false}}}});
         }
@@ -164,6 +170,7 @@ class SchemaWriter {
         Json result = {{"type", "object"}, {"properties", properties_}};
         if (!required_.empty()) result["required"] = required_;
         if (!is_open_) result["additionalProperties"] = false;
+        if (!one_of_.empty()) result["oneOf"] = one_of_;
         if (!alternatives_.empty()) result["allOf"] = alternatives_;
         return result;
     }
@@ -189,6 +196,7 @@ class SchemaWriter {
     const std::vector<StyleSchema>& plugins_;
     Json properties_ = Json::object();
     Json required_ = Json::array();
+    Json one_of_ = Json::array();
     Json alternatives_ = Json::array();
     bool is_open_ = false;
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "hatchway/core/files.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "tests/io/expect_error.hpp"
@@ -48,6 +50,60 @@ class EditedLevel {
 std::string with_list(const std::string& list)
 {
     return R"({"format": "hatchway-level/1", "scene": "hall.glb", "assign": )" + list + "}";
+}
+
+/// Levels with comments, blanks and line ends wherever JSON allows them.
+class RandomLevels {
+ public:
+    std::string text()
+    {
+        std::string text = gap() + "{" + gap() + R"("format":)" + gap() + R"("hatchway-level/1")" + gap() + "," +
+                           gap() + R"("scene": "hall.glb")" + gap();
+        if (below(4) != 0) text += "," + gap() + R"("assign":)" + gap() + list() + gap();
+        if (below(2) != 0) text += "," + gap() + R"("exposure_ev": 12)" + gap();
+        return text + "}" + gap();
+    }
+    hw::StyleAssignment assignment()
+    {
+        hw::StyleAssignment made{.nodes = "New_" + std::to_string(below(3)), .style = below(2) ? "ink" : "photoreal"};
+        if (below(2) != 0) made.materials = "Stone";
+        if (below(3) == 0) made.over = "hybrid";
+        return made;
+    }
+
+ private:
+    int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
+    std::string gap()
+    {
+        static constexpr const char* kGaps[]{"", " ", "\n", "\r\n  ", "\t", " /* ]}, \" */ ", " // [{,\n", "\n\n    "};
+        return kGaps[below(8)];
+    }
+    std::string list()
+    {
+        std::string text = "[" + gap();
+        const int count = below(4);
+        for (int i = 0; i < count; ++i)
+            text += (i > 0 ? "," + gap() : "") + R"({"nodes":)" + gap() + '"' + static_cast<char>('A' + i) + R"(/*")" +
+                    gap() + "," + gap() + R"("style": "ink"})" + gap();
+        return text + "]";
+    }
+
+    std::mt19937 random_{7};
+};
+
+/// What `after` has more than `before`, when `before` is all there, in order; nothing else.
+std::optional<std::string> added(const std::string& before, const std::string& after)
+{
+    std::string more;
+    std::size_t next = 0;
+    for (const char c : after) {
+        if (next < before.size() && before[next] == c)
+            ++next;
+        else
+            more += c;
+    }
+    if (next < before.size()) return {};
+    return more;
 }
 
 }  // namespace
@@ -145,6 +201,16 @@ TEST(level_edit, a_hybrid_is_written_with_its_presence)
         << "one material and all materials are different things";
 }
 
+TEST(level_edit, styles_that_are_like_others_stay_as_they_are_written)
+{
+    const EditedLevel level;
+    const std::string before = R"({"format": "hatchway-level/1", "scene": "hall.glb",
+        "styles": {"ink": {"plugin": "pen_and_ink", "crease_deg": 40}, "fine": {"like": "ink"}}})";
+    const std::string text = level.edit(before, {{.nodes = "A", .style = "fine"}});
+    EXPECT_THAT(text, testing::HasSubstr(R"("fine": {"like": "ink"}})"));
+    EXPECT_EQ(level.parse(text).styles.at("fine").plugin, "pen_and_ink");
+}
+
 TEST(level_edit, many_edits_read_as_the_last_of_each)
 {
     const EditedLevel level;
@@ -154,6 +220,22 @@ TEST(level_edit, many_edits_read_as_the_last_of_each)
     const hw::Level read = level.parse(text);
     EXPECT_LE(read.assign.size(), 2u + 6u);
     EXPECT_NE(text.find("// add more here"), std::string::npos);
+}
+
+TEST(level_edit, every_byte_of_a_level_stays_and_saying_it_again_changes_nothing)
+{
+    const EditedLevel level;
+    RandomLevels next;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const std::string before = next.text();
+        const Assignments assignments{next.assignment()};
+        const std::string text = level.edit(before, assignments);
+        const std::optional<std::string> more = added(before, text);
+        ASSERT_TRUE(more) << before << "\nbecame\n" << text;
+        EXPECT_LT(more->size(), 200u);
+        EXPECT_EQ(level.parse(text).assign.size(), level.parse(before).assign.size() + 1);
+        ASSERT_EQ(level.edit(text, assignments), text) << before;
+    }
 }
 
 TEST(level_edit, writing_changes_the_file_and_an_error_does_not)

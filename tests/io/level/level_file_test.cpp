@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "hatchway/io/level/schema.hpp"
@@ -194,6 +195,56 @@ TEST(level_file, every_wrong_value_is_named_by_its_pointer)
     }
 }
 
+TEST(level_file, a_style_that_is_like_another_has_its_plugin_and_what_it_does_not_state_itself)
+{
+    const hw::Level level = level_of(R"("styles": {
+        "b": {"plugin": "pen_and_ink", "crease_deg": 40, "tone": "plain", "shade": 0.5},
+        "a": {"like": "c", "tone": "shaded"},
+        "c": {"like": "b", "crease_deg": 60, "hatch_deg": 90}})");
+    const hw::StyleDesc& style = level.styles.at("a");
+    EXPECT_EQ(style.plugin, "pen_and_ink");
+    EXPECT_EQ(style.like, "c");
+    EXPECT_EQ(style.pointer, "/styles/a");
+    EXPECT_EQ(std::get<std::string>(style.params.at("tone").value), "shaded");
+    EXPECT_EQ(std::get<double>(style.params.at("crease_deg").value), 60.0);
+    EXPECT_EQ(style.params.at("crease_deg").pointer, "/styles/c/crease_deg");
+    EXPECT_EQ(std::get<double>(style.params.at("shade").value), 0.5);
+    EXPECT_EQ(style.params.at("shade").pointer, "/styles/b/shade");
+    EXPECT_EQ(style.params.size(), 4u);
+    EXPECT_EQ(level.styles.at("c").params.size(), 4u);
+    EXPECT_EQ(level.styles.at("b").params.size(), 3u);
+}
+
+TEST(level_file, styles_that_are_like_each_other_in_a_circle_are_refused)
+{
+    const auto parts = error_of_level(R"("styles": {"a": {"like": "b"}, "b": {"like": "c"}, "c": {"like": "b"}})");
+    EXPECT_EQ(parts.pointer, "/styles/c/like");
+    EXPECT_THAT(parts.what, testing::HasSubstr("\"b\" is like itself"));
+    EXPECT_EQ(error_of_level(R"("styles": {"a": {"like": "a"}})").pointer, "/styles/a/like");
+}
+
+TEST(level_file, a_style_is_like_a_style_of_this_level_and_names_no_plugin_beside)
+{
+    const auto unknown = error_of_level(R"("styles": {"a": {"like": "pen_and_ink"}, "b": {"plugin": "pen_and_ink"}})");
+    EXPECT_EQ(unknown.pointer, "/styles/a/like");
+    EXPECT_EQ(unknown.expected, "one of: a, b");
+    const auto both = error_of_level(R"("styles": {"a": {"plugin": "ink", "like": "b"}, "b": {"plugin": "ink"}})");
+    EXPECT_EQ(both.pointer, "/styles/a/like");
+    EXPECT_EQ(both.expected, "either \"plugin\" or \"like\"");
+    EXPECT_EQ(error_of_level(R"("styles": {"a": {"crease_deg": 40}})").pointer, "/styles/a");
+}
+
+TEST(level_file, a_chain_of_styles_may_have_sixteen_links)
+{
+    const auto chain = [](int links) {
+        std::string styles = R"("styles": {"0": {"plugin": "ink"})";
+        for (int i = 1; i < links; ++i) styles += fmt::format(R"(, "{}": {{"like": "{}"}})", i, i - 1);
+        return styles + "}";
+    };
+    EXPECT_EQ(level_of(chain(16)).styles.at("15").plugin, "ink");
+    EXPECT_THAT(error_of_level(chain(17)).what, testing::HasSubstr("chain of more than 16 styles"));
+}
+
 TEST(level_file, a_repeated_key_is_refused)
 {
     const auto parts = error_of_level(R"("cameras": {"a": {}, "a": {}})");
@@ -294,6 +345,9 @@ bool obeys(const nlohmann::json& value, const nlohmann::json& schema)
     if (schema.contains("maximum") && value > schema.at("maximum")) return false;
     for (const auto& name : schema.value("required", nlohmann::json::array()))
         if (!value.contains(name)) return false;
+    if (schema.contains("oneOf") &&
+        std::ranges::count_if(schema.at("oneOf"), [&](const auto& one) { return obeys(value, one); }) != 1)
+        return false;
     for (const auto& part : schema.value("allOf", nlohmann::json::array()))
         if (obeys(value, part.at("if")) && !obeys(value, part.at("then"))) return false;
     const nlohmann::json members = value.is_object() ? value : nlohmann::json::object();
@@ -333,6 +387,9 @@ TEST(level_schema, says_what_the_reader_says)
         {R"("exposure_ev": 1000)", false},
         {R"("exposure": 12)", false},
         {R"("styles": {"a": {"plugin": "pen_and_ink", "width_px": 2}})", true},
+        {R"("styles": {"a": {"plugin": "pen_and_ink"}, "b": {"like": "a", "width_px": 2}})", true},
+        {R"("styles": {"a": {"plugin": "pen_and_ink"}, "b": {"like": "a", "plugin": "photoreal"}})", false},
+        {R"("styles": {"a": {"width_px": 2}})", false},
         {R"("assign": [{"nodes": "*", "style": "a", "maps": {"ink": "x"}}])", true},
         {R"("assign": [{"node": "*"}])", false},
         {R"("cameras": {"a": {"position": [0, 0, 0], "look_at": [0, 0, 1]}})", true},
