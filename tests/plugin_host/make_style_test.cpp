@@ -103,7 +103,9 @@ TEST(make_style, every_parameter_of_every_plugin_has_a_good_name_help_range_and_
         SCOPED_TRACE(plugin.name);
         ParamCritic critic;
         visit_defaults(plugin, critic);
+        EXPECT_FALSE(critic.seen.empty());
     }
+    EXPECT_GE(registry.plugins().size(), 4u);
 }
 
 TEST(make_style, a_level_s_unused_style_is_checked_too)

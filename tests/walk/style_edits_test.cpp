@@ -1,9 +1,10 @@
 #include "hatchway/walk/style_edits.hpp"
-#include "hatchway/world/looks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "hatchway/world/looks.hpp"
 
 namespace {
 
@@ -146,6 +147,47 @@ TEST(style_edits, undo_and_redo_walk_the_same_way)
     edits.redo();
     EXPECT_EQ(edits.unsaved().at(7).style, "mixed");
     EXPECT_FALSE(edits.redo().has_value());
+}
+
+TEST(style_edits, doing_again_what_was_undone_changes_nothing)
+{
+    std::mt19937 random(7);
+    const auto state = [](const hw::StyleEdits& edits) { return std::pair(edits.unsaved(), edits.has_unsaved()); };
+    const auto choice = [&] { return hw::StyleChoice{.style = kStyles[random() % kStyles.size()]}; };
+    int undone = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        hw::StyleEdits edits;
+        for (int step = 0; step < 40; ++step) {
+            switch (random() % 5) {
+                case 0:
+                    edits.undo();
+                    break;
+                case 1:
+                    edits.redo();
+                    break;
+                case 2:
+                    if (random() % 4 == 0) edits.mark_saved();
+                    break;
+                default:
+                    edits.push({static_cast<hw::ObjectId>(random() % 4), choice(), choice()});
+            }
+            hw::StyleEdits moved = edits;
+            if (const auto taken_back = moved.undo()) {
+                const auto again = moved.redo();
+                ASSERT_TRUE(again);
+                EXPECT_EQ(again->object, taken_back->object);
+                EXPECT_TRUE(again->after == taken_back->after && again->before == taken_back->before);
+                EXPECT_EQ(state(moved), state(edits));
+                ++undone;
+            }
+            moved = edits;
+            if (moved.redo()) {
+                ASSERT_TRUE(moved.undo());
+                EXPECT_EQ(state(moved), state(edits));
+            }
+        }
+    }
+    EXPECT_GT(undone, 4000);
 }
 
 TEST(style_edits, a_new_step_ends_the_way_forward)

@@ -98,13 +98,21 @@ TEST(facing, an_eye_in_the_plane_of_a_face_is_neither_in_front_nor_behind)
 
 TEST(facing, needs_exact_arithmetic_only_close_to_the_plane)
 {
-    hw::PredicateStage stage;
-    hw::facing_sign({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {glm::dvec3(0.3, 0.3, 1.0)}, &stage);
-    EXPECT_EQ(stage, hw::PredicateStage::filter);
-    hw::facing_sign({0.1f, 0.7f, 0.3f}, {1.3f, 0.9f, 0.2f}, {0.4f, 1.1f, 0.9f},
-                    {glm::dvec3(0.1f) * 0.0 + glm::dvec3(0.1f, 0.7f, 0.3f)}, &stage);
-    EXPECT_EQ(
-        hw::facing_sign({0.1f, 0.7f, 0.3f}, {1.3f, 0.9f, 0.2f}, {0.4f, 1.1f, 0.9f}, {glm::dvec3(0.1f, 0.7f, 0.3f)}), 0);
+    const glm::vec3 a(0.1f, 0.7f, 0.3f), b(1.3f, 0.9f, 0.2f), c(0.4f, 1.1f, 0.9f);
+    const glm::dvec3 up = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+    const glm::dvec3 on_edge = 0.5 * (glm::dvec3(a) + glm::dvec3(b));  // without rounding
+    const auto expect = [&](const glm::dvec3& eye, int sign, hw::PredicateStage stage) {
+        hw::PredicateStage used =
+            stage == hw::PredicateStage::exact ? hw::PredicateStage::filter : hw::PredicateStage::exact;
+        EXPECT_EQ(hw::facing_sign(a, b, c, {eye}, &used), sign);
+        EXPECT_EQ(used, stage);
+    };
+    for (const int side : {-1, 1}) {
+        expect(on_edge + 1.0 * side * up, side, hw::PredicateStage::filter);
+        expect(on_edge + 1e-9 * side * up, side, hw::PredicateStage::filter);
+        expect(on_edge + 1e-16 * side * up, side, hw::PredicateStage::exact);
+    }
+    expect(on_edge, 0, hw::PredicateStage::exact);
 }
 
 TEST(collinear, is_exact)

@@ -1,5 +1,7 @@
 #include "tests/geometry/silhouettes/silhouette_checks.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -8,7 +10,10 @@ namespace hw::test {
 std::vector<glm::dvec3> eyes_around(const Surface& surface)
 {
     std::vector<glm::dvec3> eyes;
-    if (surface.faces.empty()) return eyes;
+    if (surface.faces.empty()) {
+        ADD_FAILURE() << "a surface without faces shows nothing";
+        return eyes;
+    }
     glm::dvec3 low = surface.positions[0], high = low;
     for (const glm::vec3& p : surface.positions) {
         low = glm::min(low, glm::dvec3(p));
