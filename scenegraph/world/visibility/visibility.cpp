@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "hatchway/world/visibility/rows/clusters.hpp"
+#include "hatchway/world/visibility/rows/leaf_clusters.hpp"
 #include "hatchway/world/visibility/rows/shaft_rows.hpp"
 #include "hatchway/world/visibility/rows/sight_slices.hpp"
 #include "hatchway/world/visibility/tree/portals.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hatchway/world/visibility/rows/clusters.hpp"
+#include "hatchway/world/visibility/rows/leaf_clusters.hpp"
 #include "hatchway/world/visibility/tree/structure.hpp"
 #include "tests/world/scene_builder.hpp"
 

@@ -10,7 +10,7 @@
 namespace hw {
 
 /// How far clusters are merged.
-struct ClusterOptions {
+struct LeafClusterOptions {
     int most = 600;                 ///< Small clusters that are open to each other are merged until there are so many.
     double least_open_share = 0.6;  ///< Of their contact, for two clusters to be merged at all.
 };
@@ -20,13 +20,13 @@ struct ClusterOptions {
 /// pairs whose contact is mostly open are merged, smallest first; what stood between them no longer blocks: more is
 /// visible, never less. Returns where that was done, a place for each merge, in metres from the grid's origin.
 std::vector<glm::dvec3> merge_clusters(BspTree& tree, std::span<const LeafContact> contacts,
-                                       const ClusterOptions& options);
+                                       const LeafClusterOptions& options);
 
 /// Parts the merged clusters anew into cells, for which rows are made: BspBuild::part_of_leaf within each cluster,
 /// small ones of a cluster merged as the options say. Clusters of the tree are the cells then, and number 0 stays the
 /// one of leaves that are not open. Returns each cell's cluster as it was.
 std::vector<int> split_into_cells(BspBuild& build, std::span<const LeafContact> contacts,
-                                  const ClusterOptions& options);
+                                  const LeafClusterOptions& options);
 
 /// The openings between the clusters. Those of one passage in one plane become their hull where that adds little, or
 /// where they are too many.

@@ -1,4 +1,4 @@
-#include "hatchway/world/visibility/rows/clusters.hpp"
+#include "hatchway/world/visibility/rows/leaf_clusters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ class Merger {
         }
     }
 
-    void merge(int count, const ClusterOptions& options)
+    void merge(int count, const LeafClusterOptions& options)
     {
         for (std::size_t a = 0; a < borders_.size(); ++a) {
             for (const auto& [b, border] : borders_[a]) offer(static_cast<int>(a), b, options);
@@ -106,7 +106,7 @@ class Merger {
         return size.x + size.y + size.z;
     }
 
-    void offer(int a, int b, const ClusterOptions& options)
+    void offer(int a, int b, const LeafClusterOptions& options)
     {
         const Border& border = borders_[static_cast<std::size_t>(std::min(a, b))][std::max(a, b)];
         if (border.open_m2 < options.least_open_share * border.whole_m2) return;
@@ -125,7 +125,7 @@ class Merger {
     }
 
     /// b becomes part of a.
-    void join(int a, int b, const ClusterOptions& options)
+    void join(int a, int b, const LeafClusterOptions& options)
     {
         places_.push_back(boxes_[static_cast<std::size_t>(b)].is_empty()
                               ? glm::dvec3(0.0)
@@ -194,7 +194,7 @@ void part_clusters(BspTree& tree, std::span<const LeafContact> contacts)
 
 /// Returns a place for each merge.
 std::vector<glm::dvec3> merge_open(BspTree& tree, std::span<const LeafContact> contacts,
-                                   std::span<const int> group_of_leaf, const ClusterOptions& options)
+                                   std::span<const int> group_of_leaf, const LeafClusterOptions& options)
 {
     Merger merger(tree, contacts, group_of_leaf);
     std::vector<std::uint8_t> is_open(static_cast<std::size_t>(tree.cluster_count));
@@ -219,13 +219,14 @@ std::vector<glm::dvec3> merge_open(BspTree& tree, std::span<const LeafContact> c
 }  // namespace
 
 std::vector<glm::dvec3> merge_clusters(BspTree& tree, std::span<const LeafContact> contacts,
-                                       const ClusterOptions& options)
+                                       const LeafClusterOptions& options)
 {
     part_clusters(tree, contacts);
     return merge_open(tree, contacts, {}, options);
 }
 
-std::vector<int> split_into_cells(BspBuild& build, std::span<const LeafContact> contacts, const ClusterOptions& options)
+std::vector<int> split_into_cells(BspBuild& build, std::span<const LeafContact> contacts,
+                                  const LeafClusterOptions& options)
 {
     BspTree& tree = build.tree;
     const std::vector<int> cluster_of_leaf = tree.cluster_of_leaf;
