@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -15,16 +14,16 @@
 namespace hw {
 namespace fs = std::filesystem;
 
-void add_level_arguments(CLI::App& command, LevelArguments& arguments)
+void add_level_arguments(CommandLine command, LevelArguments& arguments)
 {
     command.add_option("level", arguments.file, "A level file (.json) or a bare model (.glb, .gltf)")
-        ->required()
-        ->option_text("LEVEL|GLB");
+        .required()
+        .option_text("LEVEL|GLB");
     command
         .add_option("--style", arguments.styles,
                     "Draw the nodes of a path glob in a style: '*=pen_and_ink'; repeatable")
-        ->option_text("GLOB=STYLE")
-        ->allow_extra_args(false);
+        .option_text("GLOB=STYLE")
+        .one_value_each();
     add_plugin_dir_argument(command, arguments.plugin_dirs);
     command.add_flag("--no-pvs", arguments.without_pvs, "Draw everything in the frustum");
     command.add_flag("--no-baked-light", arguments.without_baked_light, "Leave the lightmap beside the level alone");
@@ -32,21 +31,21 @@ void add_level_arguments(CLI::App& command, LevelArguments& arguments)
     command.add_flag("--no-cache", arguments.without_cache, "Compile the level anew and keep nothing");
 }
 
-void add_cache_argument(CLI::App& command, fs::path& cache)
+void add_cache_argument(CommandLine command, fs::path& cache)
 {
-    command.add_option("--cache", cache, "Keep compiled levels in this folder and find them there")->option_text("DIR");
+    command.add_option("--cache", cache, "Keep compiled levels in this folder and find them there").option_text("DIR");
 }
 
-void add_plugin_dir_argument(CLI::App& command, std::vector<fs::path>& plugin_dirs)
+void add_plugin_dir_argument(CommandLine command, std::vector<fs::path>& plugin_dirs)
 {
     command.add_option("--plugin-dir", plugin_dirs, "A folder with more plugins; repeatable")
-        ->option_text("DIR")
-        ->allow_extra_args(false);
+        .option_text("DIR")
+        .one_value_each();
 }
 
-void add_json_argument(CLI::App& command, fs::path& json_file)
+void add_json_argument(CommandLine command, fs::path& json_file)
 {
-    command.add_option("--json", json_file, "Write the result as JSON")->option_text("FILE");
+    command.add_option("--json", json_file, "Write the result as JSON").option_text("FILE");
 }
 
 StageOptions stage_options(const LevelArguments& arguments, CompiledUse use)

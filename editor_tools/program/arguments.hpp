@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "hatchway/stage/stage.hpp"
-
-namespace CLI {
-class App;
-}
+#include "program/command_line.hpp"
 
 namespace hw {
 
@@ -33,12 +30,12 @@ enum class CompiledUse : unsigned char {
     reused,  ///< Takes what lies beside the level, or leaves it there.
 };
 
-void add_level_arguments(CLI::App& command, LevelArguments& arguments);
-void add_plugin_dir_argument(CLI::App& command, std::vector<std::filesystem::path>& plugin_dirs);
-void add_json_argument(CLI::App& command, std::filesystem::path& json_file);
+void add_level_arguments(CommandLine command, LevelArguments& arguments);
+void add_plugin_dir_argument(CommandLine command, std::vector<std::filesystem::path>& plugin_dirs);
+void add_json_argument(CommandLine command, std::filesystem::path& json_file);
 
 /// --cache alone, for commands that do not draw.
-void add_cache_argument(CLI::App& command, std::filesystem::path& cache);
+void add_cache_argument(CommandLine command, std::filesystem::path& cache);
 
 /// Throws hw::Error if --cache names no folder, or none that can be made.
 StageOptions stage_options(const LevelArguments& arguments, CompiledUse use = CompiledUse::anew);

@@ -1,10 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "program/commands.hpp"
-#include "program/option_rules.hpp"
 
 namespace {
 
@@ -12,20 +10,17 @@ constexpr int kDone = 0;
 constexpr int kOurFault = 1;
 constexpr int kBadUsage = 2;
 
-void add_general_options(CLI::App& app)
+void add_general_options(hw::CommandLine app)
 {
-    app.name("hatchway");
-    app.set_version_flag("--version", "hatchway " HATCHWAY_VERSION);
-    app.require_subcommand(1);
-    app.fallthrough();
-    app.add_flag_callback(
+    app.require_subcommand();
+    app.add_flag(
         "--quiet", [] { hw::set_log_level(hw::LogLevel::error); }, "Log errors only");
-    app.add_flag_callback(
+    app.add_flag(
         "--verbose", [] { hw::set_log_level(hw::LogLevel::debug); }, "Log details, too");
     app.footer("Exit codes: 0 done, 1 our fault, 2 bad usage or bad input.");
 }
 
-void add_commands(CLI::App& app)
+void add_commands(hw::CommandLine app)
 {
     hw::add_walk_command(app);
     hw::add_render_command(app);
@@ -42,24 +37,21 @@ void add_commands(CLI::App& app)
     hw::add_pvs_command(app);
     hw::add_new_style_command(app);
     hw::add_schema_command(app);
-    hw::refuse_empty_values(app);
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Walk through levels in which every object has its own style: photoreal, pen and ink, or a mix.");
-    add_general_options(app);
-    add_commands(app);
     try {
-        app.parse(argc, argv);
+        hw::CommandLineReader line(
+            "hatchway",
+            "Walk through levels in which every object has its own style: photoreal, pen and ink, or a mix.");
+        line.set_version("hatchway " HATCHWAY_VERSION);
+        add_general_options(line.program());
+        add_commands(line.program());
+        line.run({argv + 1, argv + argc});
         return kDone;
-    } catch (const CLI::ParseError& error) {
-        // Asking for help or the version is told as an error without a code.
-        if (error.get_exit_code() == 0) return app.exit(error);
-        hw::log_error(hw::usage_error(app, error).what());
-        return kBadUsage;
     } catch (const hw::Error& error) {
         hw::log_error(error.what());
         return hw::exit_code(error);

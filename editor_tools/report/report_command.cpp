@@ -2,7 +2,6 @@
 // that fails leaves its reason on the page and the others run on.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -51,12 +50,12 @@ std::string today()
 
 void run_measure(const ReportSection& section, const fs::path& json)
 {
-    CLI::App app;
-    add_measure_command(app);
-    std::vector<std::string> words{json.string(), "--json"};
-    words.insert(words.end(), section.arguments.rbegin(), section.arguments.rend());
-    words.push_back("measure");
-    app.parse(words);  // takes the words from the last to the first
+    CommandLineReader line("hatchway", "");
+    add_measure_command(line.program());
+    std::vector<std::string> words{"measure"};
+    words.insert(words.end(), section.arguments.begin(), section.arguments.end());
+    words.insert(words.end(), {"--json", json.string()});
+    line.run(words);
 }
 
 MeasuredSection measured(const ReportSection& section, const ReportArguments& arguments)
@@ -124,17 +123,18 @@ void write_report(const ReportArguments& arguments)
 
 }  // namespace
 
-void add_report_command(CLI::App& app)
+void add_report_command(CommandLine app)
 {
     auto arguments = std::make_shared<ReportArguments>();
-    CLI::App* command = app.add_subcommand("report", "Runs the measurements and makes one page of time against error");
-    command->add_option("--out", arguments->out, "An existing folder for index.html and the JSON files")->required();
-    command->add_option("--data", arguments->data, "A folder with models/*.glb and scenes/*.glb to measure, too");
-    command->add_option("--commit", arguments->commit, "The commit that is measured, for the page");
-    command->add_option("--only", arguments->only, "Names of sections; default: all");
-    command->add_option("--fill", arguments->pages, "A folder of Markdown pages whose figures are written anew");
-    command->add_flag("--reuse", arguments->is_reused, "Make the page from the JSON files that are there");
-    command->callback([arguments] { write_report(*arguments); });
+    CommandLine command =
+        app.add_subcommand("report", "Runs the measurements and makes one page of time against error");
+    command.add_option("--out", arguments->out, "An existing folder for index.html and the JSON files").required();
+    command.add_option("--data", arguments->data, "A folder with models/*.glb and scenes/*.glb to measure, too");
+    command.add_option("--commit", arguments->commit, "The commit that is measured, for the page");
+    command.add_option("--only", arguments->only, "Names of sections; default: all");
+    command.add_option("--fill", arguments->pages, "A folder of Markdown pages whose figures are written anew");
+    command.add_flag("--reuse", arguments->is_reused, "Make the page from the JSON files that are there");
+    command.callback([arguments] { write_report(*arguments); });
 }
 
 }  // namespace hw

@@ -3,7 +3,6 @@
 // to be zero.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <iostream>
@@ -230,23 +229,22 @@ void measure_frame(const FrameMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_frame(CLI::App& measure)
+void add_measure_frame(CommandLine measure)
 {
     auto arguments = std::make_shared<FrameMeasureArguments>();
-    CLI::App* command = measure.add_subcommand(
+    CommandLine command = measure.add_subcommand(
         "frame", "Milliseconds per phase along a path: styles, 1 and 4 samples, without the PVS and at each effort");
-    add_level_arguments(*command, arguments->level);
-    command->add_option("--path", arguments->path, "A camera path of the level, or turntable; tour")
-        ->option_text("NAME");
-    command->add_option("--frames", arguments->frames, "Frames for each row, spread evenly; 50")
-        ->option_text("N")
-        ->check(whole_number_in(1, 100'000));
-    command->add_option("--size", arguments->size, "Size of the picture, 1280x720")->option_text("WxH");
-    command->add_option("--pvs", arguments->efforts, "Efforts beside none; fast,full,exact")
-        ->check(one_of(kPvsEfforts))
-        ->delimiter(',');
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_frame(*arguments); });
+    add_level_arguments(command, arguments->level);
+    command.add_option("--path", arguments->path, "A camera path of the level, or turntable; tour").option_text("NAME");
+    command.add_option("--frames", arguments->frames, "Frames for each row, spread evenly; 50")
+        .option_text("N")
+        .check(whole_number_in(1, 100'000));
+    command.add_option("--size", arguments->size, "Size of the picture, 1280x720").option_text("WxH");
+    command.add_option("--pvs", arguments->efforts, "Efforts beside none; fast,full,exact")
+        .check(one_of(kPvsEfforts))
+        .delimiter(',');
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_frame(*arguments); });
 }
 
 }  // namespace hw

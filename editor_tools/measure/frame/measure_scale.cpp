@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -197,24 +196,24 @@ void measure_scale(const ScaleArguments& arguments)
 
 }  // namespace
 
-void add_measure_scale(CLI::App& measure)
+void add_measure_scale(CommandLine measure)
 {
     auto arguments = std::make_shared<ScaleArguments>();
-    CLI::App* command = measure.add_subcommand(
+    CommandLine command = measure.add_subcommand(
         "scale", "What grows with a level: compile, memory and a frame of equal visible work, over several sizes");
-    command->add_option("--rooms", arguments->rooms, "Sizes, 64,128,256,500: 10 objects and 4,000 triangles a room")
-        ->option_text("N,N,...")
-        ->check(whole_number_in(2, 20'000))
-        ->delimiter(',');
-    command->add_option("--frames", arguments->frames, "Frames of each size; 20")
-        ->option_text("N")
-        ->check(whole_number_in(1, 10'000));
-    command->add_option("--size", arguments->size, "Size of the picture, 640x360")->option_text("WxH");
-    command->add_option("--style", arguments->style, "Of all objects; photoreal")->option_text("STYLE");
-    command->add_option("--write", arguments->write, "Only write the model of the last size here, to look at it")
-        ->option_text("FILE.glb");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_scale(*arguments); });
+    command.add_option("--rooms", arguments->rooms, "Sizes, 64,128,256,500: 10 objects and 4,000 triangles a room")
+        .option_text("N,N,...")
+        .check(whole_number_in(2, 20'000))
+        .delimiter(',');
+    command.add_option("--frames", arguments->frames, "Frames of each size; 20")
+        .option_text("N")
+        .check(whole_number_in(1, 10'000));
+    command.add_option("--size", arguments->size, "Size of the picture, 640x360").option_text("WxH");
+    command.add_option("--style", arguments->style, "Of all objects; photoreal").option_text("STYLE");
+    command.add_option("--write", arguments->write, "Only write the model of the last size here, to look at it")
+        .option_text("FILE.glb");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_scale(*arguments); });
 }
 
 }  // namespace hw

@@ -2,7 +2,6 @@
 // the same. And what hatching costs: the same frames with lines, with and without it, one after the other in one run.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -292,20 +291,20 @@ void measure_coherence(const CoherenceArguments& arguments)
 
 }  // namespace
 
-void add_measure_coherence(CLI::App& measure)
+void add_measure_coherence(CommandLine measure)
 {
     auto arguments = std::make_shared<CoherenceArguments>();
-    CLI::App* command = measure.add_subcommand(
+    CommandLine command = measure.add_subcommand(
         "coherence",
         "Flicker, change of tone and sliding of hatching from frame to frame along a path, and what hatching costs");
-    command->add_option("level", arguments->file, "A level file with a camera path")->required()->option_text("LEVEL");
-    command->add_option("--path", arguments->path, "A camera path of the level; tour")->option_text("NAME");
-    command->add_option("--frames", arguments->frames, "Pairs of neighbouring frames, spread evenly; 12")
-        ->option_text("N")
-        ->check(whole_number_in(1, 100'000));
-    command->add_option("--size", arguments->size, "Size of the picture, 960x540")->option_text("WxH");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_coherence(*arguments); });
+    command.add_option("level", arguments->file, "A level file with a camera path").required().option_text("LEVEL");
+    command.add_option("--path", arguments->path, "A camera path of the level; tour").option_text("NAME");
+    command.add_option("--frames", arguments->frames, "Pairs of neighbouring frames, spread evenly; 12")
+        .option_text("N")
+        .check(whole_number_in(1, 100'000));
+    command.add_option("--size", arguments->size, "Size of the picture, 960x540").option_text("WxH");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_coherence(*arguments); });
 }
 
 }  // namespace hw

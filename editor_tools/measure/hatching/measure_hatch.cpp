@@ -2,7 +2,6 @@
 // lines of one width and one spacing, for our choice of the level and for what hardware and ordinary mips do.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 
@@ -174,24 +173,24 @@ void measure_hatch(const HatchMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_hatch(CLI::App& measure)
+void add_measure_hatch(CommandLine measure)
 {
     auto arguments = std::make_shared<HatchMeasureArguments>();
-    CLI::App* command = measure.add_subcommand(
+    CommandLine command = measure.add_subcommand(
         "hatch",
         "Spacing, width, tone and contrast of hatch maps on planes and a sphere: ours, hardware, ordinary mips");
-    command->add_option("--angles", arguments->angles, "Of planes, degrees off the view; 0 to 85")
-        ->option_text("A,B,...")
-        ->delimiter(',')
-        ->check(number_in(0.0, 85.0));
-    command->add_option("--distances", arguments->distances, "1: a texel covers a pixel seen straight on; 1 to 1000")
-        ->option_text("A,B,...")
-        ->delimiter(',')
-        ->check(number_in(0.1, 10'000.0));
-    command->add_option("--pictures", arguments->pictures, "An existing folder for one picture of each choice")
-        ->option_text("DIR");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_hatch(*arguments); });
+    command.add_option("--angles", arguments->angles, "Of planes, degrees off the view; 0 to 85")
+        .option_text("A,B,...")
+        .delimiter(',')
+        .check(number_in(0.0, 85.0));
+    command.add_option("--distances", arguments->distances, "1: a texel covers a pixel seen straight on; 1 to 1000")
+        .option_text("A,B,...")
+        .delimiter(',')
+        .check(number_in(0.1, 10'000.0));
+    command.add_option("--pictures", arguments->pictures, "An existing folder for one picture of each choice")
+        .option_text("DIR");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_hatch(*arguments); });
 }
 
 }  // namespace hw

@@ -2,7 +2,6 @@
 // filtering make of its finest level.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 
@@ -69,16 +68,16 @@ void measure_ink(const InkMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_ink(CLI::App& measure)
+void add_measure_ink(CommandLine measure)
 {
     auto arguments = std::make_shared<InkMeasureArguments>();
-    CLI::App* command = measure.add_subcommand(
+    CommandLine command = measure.add_subcommand(
         "ink", "Stroke width, tone and contrast of ink maps level by level, beside minimum and box filtering");
-    command->add_option("maps", arguments->maps, "Folders of maps, each with its map.json")
-        ->required()
-        ->option_text("MAP...");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_ink(*arguments); });
+    command.add_option("maps", arguments->maps, "Folders of maps, each with its map.json")
+        .required()
+        .option_text("MAP...");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_ink(*arguments); });
 }
 
 }  // namespace hw

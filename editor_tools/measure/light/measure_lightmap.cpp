@@ -3,7 +3,6 @@
 // leaks.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "hatchway/core/progress.hpp"
@@ -108,16 +107,16 @@ void measure_lightmap(const LightmapMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_lightmap(CLI::App& measure)
+void add_measure_lightmap(CommandLine measure)
 {
     auto arguments = std::make_shared<LightmapMeasureArguments>();
-    CLI::App* command = measure.add_subcommand(
+    CommandLine command = measure.add_subcommand(
         "lightmap", "Seconds and error of baked light against closed forms, over samples; leaks into closed rooms");
-    command->add_option("--samples", arguments->samples, "Of each luxel in the last pass; those of final quality")
-        ->option_text("N")
-        ->check(whole_number_in(8, 65536));
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_lightmap(*arguments); });
+    command.add_option("--samples", arguments->samples, "Of each luxel in the last pass; those of final quality")
+        .option_text("N")
+        .check(whole_number_in(8, 65536));
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_lightmap(*arguments); });
 }
 
 }  // namespace hw

@@ -3,7 +3,6 @@
 // the code that draws vectors; what it thins to less than a quarter of a pixel is neither wanted nor a leak.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 
@@ -246,20 +245,20 @@ void measure_lines(const LinesMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_lines(CLI::App& measure)
+void add_measure_lines(CommandLine measure)
 {
     auto arguments = std::make_shared<LinesMeasureArguments>();
-    CLI::App* command = measure.add_subcommand("lines", "Drawn lines against the exact visible lines");
-    command->add_option("FILES", arguments->files, "Levels or models")->required()->option_text("GLB|LEVEL...");
-    command->add_option("--views", arguments->views, "Views of each: its cameras, else around it; 4")
-        ->option_text("N")
-        ->check(whole_number_in(1, 1'000));
-    command->add_option("--size", arguments->size, "Size of the picture, 1400x900")->option_text("WxH");
-    command->add_flag("--sweep", arguments->has_sweep, "Also over polygon offsets, with quads at 4 samples");
-    command->add_option("--pictures", arguments->pictures, "A folder for judged pictures: leaked red, missed blue")
-        ->option_text("DIR");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_lines(*arguments); });
+    CommandLine command = measure.add_subcommand("lines", "Drawn lines against the exact visible lines");
+    command.add_option("FILES", arguments->files, "Levels or models").required().option_text("GLB|LEVEL...");
+    command.add_option("--views", arguments->views, "Views of each: its cameras, else around it; 4")
+        .option_text("N")
+        .check(whole_number_in(1, 1'000));
+    command.add_option("--size", arguments->size, "Size of the picture, 1400x900").option_text("WxH");
+    command.add_flag("--sweep", arguments->has_sweep, "Also over polygon offsets, with quads at 4 samples");
+    command.add_option("--pictures", arguments->pictures, "A folder for judged pictures: leaked red, missed blue")
+        .option_text("DIR");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_lines(*arguments); });
 }
 
 }  // namespace hw

@@ -2,7 +2,6 @@
 // rational numbers and shares no code with what it judges.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -340,33 +339,33 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_silhouettes(CLI::App& measure)
+void add_measure_silhouettes(CommandLine measure)
 {
     auto arguments = std::make_shared<SilhouetteMeasureArguments>();
-    CLI::App* command = measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
-    command->add_option("models", arguments->files, "Models or levels")->option_text("GLB...");
-    command
-        ->add_option("--smooth", arguments->smooth, "Add bumpy spheres of so many triangles, to see how a cost grows")
-        ->delimiter(',')
-        ->option_text("LIST")
-        ->check(whole_number_in(64, 10'000'000));
-    command->add_option("--views", arguments->views, "Views around the model; 26")
-        ->option_text("N")
-        ->check(whole_number_in(1, 100'000));
-    command->add_option("--random", arguments->random_views, "Random views in addition, the same in each run; 0")
-        ->option_text("N")
-        ->check(whole_number_in(0, 1'000'000));
-    command->add_flag("--orthographic", arguments->is_orthographic, "Look from directions, not from eyes");
-    command->add_option("--offset", arguments->offsets, "Move the model; 0,1e3,1e5,1e6")
-        ->delimiter(',')
-        ->option_text("LIST")
-        ->check(number_in(0.0, limits::kMaxCoordinate));
-    command->add_option("--scale", arguments->scales, "Scale the model first; 1")
-        ->delimiter(',')
-        ->option_text("LIST")
-        ->check(number_in(1e-9, 1e9));
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_silhouettes(*arguments); });
+    CommandLine command =
+        measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
+    command.add_option("models", arguments->files, "Models or levels").option_text("GLB...");
+    command.add_option("--smooth", arguments->smooth, "Add bumpy spheres of so many triangles, to see how a cost grows")
+        .delimiter(',')
+        .option_text("LIST")
+        .check(whole_number_in(64, 10'000'000));
+    command.add_option("--views", arguments->views, "Views around the model; 26")
+        .option_text("N")
+        .check(whole_number_in(1, 100'000));
+    command.add_option("--random", arguments->random_views, "Random views in addition, the same in each run; 0")
+        .option_text("N")
+        .check(whole_number_in(0, 1'000'000));
+    command.add_flag("--orthographic", arguments->is_orthographic, "Look from directions, not from eyes");
+    command.add_option("--offset", arguments->offsets, "Move the model; 0,1e3,1e5,1e6")
+        .delimiter(',')
+        .option_text("LIST")
+        .check(number_in(0.0, limits::kMaxCoordinate));
+    command.add_option("--scale", arguments->scales, "Scale the model first; 1")
+        .delimiter(',')
+        .option_text("LIST")
+        .check(number_in(1e-9, 1e9));
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_silhouettes(*arguments); });
 }
 
 }  // namespace hw

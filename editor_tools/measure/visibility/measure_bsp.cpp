@@ -2,7 +2,6 @@
 // puts it, and the pieces must cover what the snapped polygons covered.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
 
@@ -55,15 +54,15 @@ void measure_bsp(const BspMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_bsp(CLI::App& measure)
+void add_measure_bsp(CommandLine measure)
 {
     auto arguments = std::make_shared<BspMeasureArguments>();
-    CLI::App* command =
+    CommandLine command =
         measure.add_subcommand("bsp", "Seconds, pieces, misclassified points and area error of the BSP");
-    command->add_option("files", arguments->files, "Levels or models")->required();
-    command->add_option("--points", arguments->points, "Points to classify")->check(whole_number_in(1, 1'000'000'000));
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_bsp(*arguments); });
+    command.add_option("files", arguments->files, "Levels or models").required();
+    command.add_option("--points", arguments->points, "Points to classify").check(whole_number_in(1, 1'000'000'000));
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_bsp(*arguments); });
 }
 
 }  // namespace hw

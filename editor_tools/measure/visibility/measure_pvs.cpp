@@ -2,7 +2,6 @@
 // hides that a ray sees: that must be nothing.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "hatchway/io/gltf/import.hpp"
@@ -114,17 +113,17 @@ void measure_pvs_command(const PvsMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_pvs(CLI::App& measure)
+void add_measure_pvs(CommandLine measure)
 {
     auto arguments = std::make_shared<PvsMeasureArguments>();
-    CLI::App* command =
+    CommandLine command =
         measure.add_subcommand("pvs", "Seconds, over-estimate and false invisibles of the potentially visible set");
-    command->add_option("files", arguments->files, "Levels or models; none: only the built-in scenes with slits");
-    command->add_option("--rays", arguments->rays, "Rays for each effort")->check(whole_number_in(1, 1'000'000'000));
-    command->add_option("--pvs", arguments->efforts, "Efforts to measure")->check(one_of(kPvsEfforts))->delimiter(',');
-    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_pvs_command(*arguments); });
+    command.add_option("files", arguments->files, "Levels or models; none: only the built-in scenes with slits");
+    command.add_option("--rays", arguments->rays, "Rays for each effort").check(whole_number_in(1, 1'000'000'000));
+    command.add_option("--pvs", arguments->efforts, "Efforts to measure").check(one_of(kPvsEfforts)).delimiter(',');
+    command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_pvs_command(*arguments); });
 }
 
 }  // namespace hw

@@ -2,7 +2,6 @@
 // counted, with what it took.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
 
@@ -123,17 +122,17 @@ void measure_walk(const WalkMeasureArguments& arguments)
 
 }  // namespace
 
-void add_measure_walk(CLI::App& measure)
+void add_measure_walk(CommandLine measure)
 {
     auto arguments = std::make_shared<WalkMeasureArguments>();
-    CLI::App* command = measure.add_subcommand(
+    CommandLine command = measure.add_subcommand(
         "walk", "Random walks: bodies in walls, walls and floors passed through, walkers that are stuck");
-    command->add_option("files", arguments->files, "Levels or models")->required();
-    command->add_option("--inputs", arguments->inputs, "Random inputs in each scene, held for 1 to 4 frames")
-        ->check(whole_number_in(1, 1'000'000'000));
-    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { measure_walk(*arguments); });
+    command.add_option("files", arguments->files, "Levels or models").required();
+    command.add_option("--inputs", arguments->inputs, "Random inputs in each scene, held for 1 to 4 frames")
+        .check(whole_number_in(1, 1'000'000'000));
+    command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_walk(*arguments); });
 }
 
 }  // namespace hw

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "hatchway/core/error.hpp"
@@ -132,62 +131,59 @@ void make_map(const MapArguments& arguments, const std::function<MapLevels()>& d
     write_map(draw(), arguments);
 }
 
-CLI::App* add_kind(CLI::App& map, const std::string& name, const std::string& help, MapArguments& arguments)
+CommandLine add_kind(CommandLine map, const std::string& name, const std::string& help, MapArguments& arguments)
 {
-    CLI::App* kind = map.add_subcommand(name, help);
-    kind->add_option("--out", arguments.folder, "Folder of the map: level_0.png, level_1.png, ... and map.json")
-        ->required();
-    kind->add_option("--preview", arguments.preview,
-                     "PNG that shows all levels, and a plane in perspective that the map covers");
+    CommandLine kind = map.add_subcommand(name, help);
+    kind.add_option("--out", arguments.folder, "Folder of the map: level_0.png, level_1.png, ... and map.json")
+        .required();
+    kind.add_option("--preview", arguments.preview,
+                    "PNG that shows all levels, and a plane in perspective that the map covers");
     return kind;
 }
 
 }  // namespace
 
-void add_map_command(CLI::App& app)
+void add_map_command(CommandLine app)
 {
     auto arguments = std::make_shared<MapArguments>();
-    CLI::App* map = app.add_subcommand("map", "Draws hatch, ink and tonal maps with their levels");
-    map->require_subcommand(1);
+    CommandLine map = app.add_subcommand("map", "Draws hatch, ink and tonal maps with their levels");
+    map.require_subcommand();
 
-    CLI::App* hatch = add_kind(*map, "hatch", "Parallel lines, equally far apart at every level", *arguments);
-    hatch->add_option("--width", arguments->hatch.width_texels, "Texels of the finest level, a power of two")
-        ->check(one_of({"64", "128", "256", "512", "1024", "2048", "4096"}));
-    hatch->add_option("--spacing", arguments->hatch.spacing_texels, "Texels between lines")
-        ->check(one_of({"4", "8", "16", "32"}));
-    hatch->add_option("--line", arguments->hatch.line_texels, "Width of a line, texels")->check(number_in(0.2, 4.0));
-    hatch->callback([arguments] { make_map(*arguments, [&] { return make_hatch_map(arguments->hatch); }); });
+    CommandLine hatch = add_kind(map, "hatch", "Parallel lines, equally far apart at every level", *arguments);
+    hatch.add_option("--width", arguments->hatch.width_texels, "Texels of the finest level, a power of two")
+        .check(one_of({"64", "128", "256", "512", "1024", "2048", "4096"}));
+    hatch.add_option("--spacing", arguments->hatch.spacing_texels, "Texels between lines")
+        .check(one_of({"4", "8", "16", "32"}));
+    hatch.add_option("--line", arguments->hatch.line_texels, "Width of a line, texels").check(number_in(0.2, 4.0));
+    hatch.callback([arguments] { make_map(*arguments, [&] { return make_hatch_map(arguments->hatch); }); });
 
-    CLI::App* ink = add_kind(*map, "ink", "A drawing, inked anew at every level with the same pen", *arguments);
-    ink->add_option("drawing", arguments->drawing, "Strokes in an SVG file, or dark lines in a PNG or JPEG")
-        ->required()
-        ->option_text("SVG|PNG|JPEG");
-    ink->add_option("--width", arguments->ink.width_texels, "Texels of the finest level")
-        ->check(one_of({"64", "128", "256", "512", "1024", "2048"}));
-    ink->add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
-    ink->add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface")
-        ->check(number_in(0.001, 1000.0));
-    ink->add_option("--filter", arguments->filter,
-                    "none: strokes are inked anew at every level; for comparison: minimum, box")
-        ->check(one_of({"none", "minimum", "box"}));
-    ink->callback([arguments] { make_map(*arguments, [&] { return ink_map_of(*arguments); }); });
+    CommandLine ink = add_kind(map, "ink", "A drawing, inked anew at every level with the same pen", *arguments);
+    ink.add_option("drawing", arguments->drawing, "Strokes in an SVG file, or dark lines in a PNG or JPEG")
+        .required()
+        .option_text("SVG|PNG|JPEG");
+    ink.add_option("--width", arguments->ink.width_texels, "Texels of the finest level")
+        .check(one_of({"64", "128", "256", "512", "1024", "2048"}));
+    ink.add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels").check(number_in(0.5, 8.0));
+    ink.add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface").check(number_in(0.001, 1000.0));
+    ink.add_option("--filter", arguments->filter,
+                   "none: strokes are inked anew at every level; for comparison: minimum, box")
+        .check(one_of({"none", "minimum", "box"}));
+    ink.callback([arguments] { make_map(*arguments, [&] { return ink_map_of(*arguments); }); });
 
-    CLI::App* tonal = add_kind(*map, "tonal", "Tones of nested strokes", *arguments);
+    CommandLine tonal = add_kind(map, "tonal", "Tones of nested strokes", *arguments);
     TonalMapDesc& desc = arguments->tonal;
-    tonal->add_option("--width", desc.size_texels, "Texels of one tone")->check(one_of({"64", "128", "256", "512"}));
-    tonal->add_option("--tones", desc.tones, "How many tones")->check(whole_number_in(2, 32));
-    tonal->add_flag("--priority", arguments->has_priorities,
-                    "One map of the tone at which each texel turns to ink: for halftone");
-    tonal->add_option("--pen", desc.pen_texels, "Width of a stroke, texels")->check(number_in(0.5, 8.0));
-    tonal->add_option("--length", desc.length_share, "Length of strokes, of the map's width")
-        ->check(number_in(0.05, 1.0));
-    tonal->add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray")
-        ->check(number_in(0.0, 45.0));
-    tonal->add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes")
-        ->check(number_in(0.0, 90.0));
-    tonal->add_option("--size-m", desc.size_m, "Width of one tone on a surface")->check(number_in(0.001, 1000.0));
-    tonal->add_option("--seed", desc.seed, "Of all that is random")->check(whole_number_in(0, UINT32_MAX));
-    tonal->callback([arguments] {
+    tonal.add_option("--width", desc.size_texels, "Texels of one tone").check(one_of({"64", "128", "256", "512"}));
+    tonal.add_option("--tones", desc.tones, "How many tones").check(whole_number_in(2, 32));
+    tonal.add_flag("--priority", arguments->has_priorities,
+                   "One map of the tone at which each texel turns to ink: for halftone");
+    tonal.add_option("--pen", desc.pen_texels, "Width of a stroke, texels").check(number_in(0.5, 8.0));
+    tonal.add_option("--length", desc.length_share, "Length of strokes, of the map's width")
+        .check(number_in(0.05, 1.0));
+    tonal.add_option("--angle-spread-deg", desc.angle_spread_deg, "How far strokes stray").check(number_in(0.0, 45.0));
+    tonal.add_option("--cross-deg", desc.cross_angle_deg, "Direction of crossing strokes").check(number_in(0.0, 90.0));
+    tonal.add_option("--size-m", desc.size_m, "Width of one tone on a surface").check(number_in(0.001, 1000.0));
+    tonal.add_option("--seed", desc.seed, "Of all that is random").check(whole_number_in(0, UINT32_MAX));
+    tonal.callback([arguments] {
         make_map(*arguments, [&] {
             return arguments->has_priorities ? make_priority_map(arguments->tonal) : make_tonal_map(arguments->tonal);
         });

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <string_view>
@@ -62,13 +61,13 @@ void write_style(const NewStyleArguments& arguments)
 
 }  // namespace
 
-void add_new_style_command(CLI::App& app)
+void add_new_style_command(CommandLine app)
 {
     auto arguments = std::make_shared<NewStyleArguments>();
-    CLI::App* command = app.add_subcommand("new-style", "Writes a complete style that draws, for you to change");
-    command->add_option("name", arguments->name, "Its name: a-z, 0-9 and _")->required()->option_text("NAME");
-    command->add_option("--in", arguments->folder, "The folder to write its folder into")->option_text("DIR");
-    command->callback([arguments] { write_style(*arguments); });
+    CommandLine command = app.add_subcommand("new-style", "Writes a complete style that draws, for you to change");
+    command.add_option("name", arguments->name, "Its name: a-z, 0-9 and _").required().option_text("NAME");
+    command.add_option("--in", arguments->folder, "The folder to write its folder into").option_text("DIR");
+    command.callback([arguments] { write_style(*arguments); });
 }
 
 }  // namespace hw

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "hatchway/core/files.hpp"
@@ -42,15 +41,15 @@ void write_schema(const SchemaArguments& arguments)
 
 }  // namespace
 
-void add_schema_command(CLI::App& app)
+void add_schema_command(CommandLine app)
 {
     auto arguments = std::make_shared<SchemaArguments>();
-    CLI::App* command =
+    CommandLine command =
         app.add_subcommand("schema", "Writes the JSON schema of level files, with all styles' parameters");
-    add_plugin_dir_argument(*command, arguments->plugin_dirs);
-    command->add_option("--out", arguments->out, "The file to write; else it goes to the standard output")
-        ->option_text("FILE");
-    command->callback([arguments] { write_schema(*arguments); });
+    add_plugin_dir_argument(command, arguments->plugin_dirs);
+    command.add_option("--out", arguments->out, "The file to write; else it goes to the standard output")
+        .option_text("FILE");
+    command.callback([arguments] { write_schema(*arguments); });
 }
 
 }  // namespace hw

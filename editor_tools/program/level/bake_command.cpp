@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
 #include <span>
@@ -101,28 +100,28 @@ void bake(const BakeArguments& arguments)
 
 }  // namespace
 
-void add_bake_command(CLI::App& app)
+void add_bake_command(CommandLine app)
 {
     auto arguments = std::make_shared<BakeArguments>();
-    CLI::App* command = app.add_subcommand("bake", "Bakes a level's light: soft shadows and light that bounces");
-    command->add_option("level", arguments->file, "A level or a bare model")->required()->option_text("LEVEL|GLB");
-    command->add_option("--quality", arguments->quality, "draft: coarse and grainy; final: what is shipped")
-        ->check(one_of({"draft", "final"}));
-    command->add_option("--luxels-per-m", arguments->luxels_per_m, "Density on surfaces; draft 2, final 8")
-        ->option_text("N")
-        ->check(number_in(0.01, 1000.0));
-    command->add_option("--samples", arguments->samples, "Of each luxel; draft 32, final 512")
-        ->option_text("N")
-        ->check(whole_number_in(1, 65536));
+    CommandLine command = app.add_subcommand("bake", "Bakes a level's light: soft shadows and light that bounces");
+    command.add_option("level", arguments->file, "A level or a bare model").required().option_text("LEVEL|GLB");
+    command.add_option("--quality", arguments->quality, "draft: coarse and grainy; final: what is shipped")
+        .check(one_of({"draft", "final"}));
+    command.add_option("--luxels-per-m", arguments->luxels_per_m, "Density on surfaces; draft 2, final 8")
+        .option_text("N")
+        .check(number_in(0.01, 1000.0));
+    command.add_option("--samples", arguments->samples, "Of each luxel; draft 32, final 512")
+        .option_text("N")
+        .check(whole_number_in(1, 65536));
     command
-        ->add_option(
+        .add_option(
             "--nodes", arguments->nodes,
             "Only the nodes of a path glob and what hangs below them; repeatable. Others keep the light of frames")
-        ->option_text("GLOB")
-        ->allow_extra_args(false);
-    command->add_option("--out", arguments->out, "The file; beside the level, where walk and render find it")
-        ->option_text("FILE");
-    command->callback([arguments] { bake(*arguments); });
+        .option_text("GLOB")
+        .one_value_each();
+    command.add_option("--out", arguments->out, "The file; beside the level, where walk and render find it")
+        .option_text("FILE");
+    command.callback([arguments] { bake(*arguments); });
 }
 
 }  // namespace hw

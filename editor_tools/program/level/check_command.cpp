@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "hatchway/core/log.hpp"
@@ -70,14 +69,14 @@ void check(const CheckArguments& arguments)
 
 }  // namespace
 
-void add_check_command(CLI::App& app)
+void add_check_command(CommandLine app)
 {
     auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command =
+    CommandLine command =
         app.add_subcommand("check", "Opens a level with all its styles, maps and shaders, and says what is wrong");
-    add_level_arguments(*command, arguments->level);
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { check(*arguments); });
+    add_level_arguments(command, arguments->level);
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { check(*arguments); });
 }
 
 }  // namespace hw

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "hatchway/core/files.hpp"
@@ -77,23 +76,23 @@ void compile(const CompileArguments& arguments)
 
 }  // namespace
 
-void add_compile_command(CLI::App& app)
+void add_compile_command(CommandLine app)
 {
     auto arguments = std::make_shared<CompileArguments>();
-    CLI::App* command =
+    CommandLine command =
         app.add_subcommand("compile", "Compiles what can be seen from where, as walk and render do at the first start");
-    command->add_option("level", arguments->file, "A level or a bare model")->required()->option_text("LEVEL|GLB");
-    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
-    command->add_option("--pvs", arguments->effort, "How tight; walk and render take what is at least full")
-        ->check(one_of(kPvsEfforts));
-    command->add_option("--out", arguments->out, "The file; where walk and render find it")->option_text("FILE");
-    add_cache_argument(*command, arguments->cache);
+    command.add_option("level", arguments->file, "A level or a bare model").required().option_text("LEVEL|GLB");
+    command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
+    command.add_option("--pvs", arguments->effort, "How tight; walk and render take what is at least full")
+        .check(one_of(kPvsEfforts));
+    command.add_option("--out", arguments->out, "The file; where walk and render find it").option_text("FILE");
+    add_cache_argument(command, arguments->cache);
     command
-        ->add_option("--prt", arguments->prt,
-                     "Write the portals as a Quake portal file, too: PRT1 text, 32 units a metre")
-        ->option_text("FILE");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { compile(*arguments); });
+        .add_option("--prt", arguments->prt,
+                    "Write the portals as a Quake portal file, too: PRT1 text, 32 units a metre")
+        .option_text("FILE");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { compile(*arguments); });
 }
 
 }  // namespace hw

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "hatchway/drawing/scene_surfaces.hpp"
@@ -155,21 +154,21 @@ void info(const InfoArguments& arguments)
 
 }  // namespace
 
-void add_info_command(CLI::App& app)
+void add_info_command(CommandLine app)
 {
     auto arguments = std::make_shared<InfoArguments>();
-    CLI::App* command =
+    CommandLine command =
         app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
-    command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
-    command->add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
+    command.add_option("level", arguments->file, "A bare model or a level").required().option_text("GLB|LEVEL");
+    command.add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
     command
-        ->add_option(
+        .add_option(
             "--hatch", arguments->hatch,
             "What strokes follow: model (a box for meshes without texture coordinates), box, cylinder, principal")
-        ->check(one_of({"model", "box", "cylinder", "principal"}));
-    add_cache_argument(*command, arguments->cache);
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { info(*arguments); });
+        .check(one_of({"model", "box", "cylinder", "principal"}));
+    add_cache_argument(command, arguments->cache);
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { info(*arguments); });
 }
 
 }  // namespace hw

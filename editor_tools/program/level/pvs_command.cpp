@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
 
@@ -89,17 +88,17 @@ void run_pvs(const PvsArguments& arguments)
 
 }  // namespace
 
-void add_pvs_command(CLI::App& app)
+void add_pvs_command(CommandLine app)
 {
     auto arguments = std::make_shared<PvsArguments>();
-    CLI::App* command = app.add_subcommand("pvs", "Computes which leaves of a Quake portal file see each other");
-    command->add_option("file", arguments->file, "A portal file, PRT1 or PRT2 text")->required();
-    command->add_option("-j,--threads", arguments->threads, "Threads; 0 for all")->check(whole_number_in(0, 1024));
-    command->add_option("--pvs", arguments->effort, "How tight")->check(one_of(kPvsEfforts));
-    command->add_option("--rows", arguments->rows, "Writes for each leaf or cluster a line of those it sees")
-        ->option_text("FILE");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { run_pvs(*arguments); });
+    CommandLine command = app.add_subcommand("pvs", "Computes which leaves of a Quake portal file see each other");
+    command.add_option("file", arguments->file, "A portal file, PRT1 or PRT2 text").required();
+    command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
+    command.add_option("--pvs", arguments->effort, "How tight").check(one_of(kPvsEfforts));
+    command.add_option("--rows", arguments->rows, "Writes for each leaf or cluster a line of those it sees")
+        .option_text("FILE");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { run_pvs(*arguments); });
 }
 
 }  // namespace hw

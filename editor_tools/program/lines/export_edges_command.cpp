@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <numbers>
 
@@ -35,17 +34,17 @@ void export_model_edges(const ExportArguments& arguments)
 
 }  // namespace
 
-void add_export_edges_command(CLI::App& app)
+void add_export_edges_command(CommandLine app)
 {
     auto arguments = std::make_shared<ExportArguments>();
-    CLI::App* command = app.add_subcommand(
+    CommandLine command = app.add_subcommand(
         "export-edges", "Writes a model with its drawn edges in it: EXT_mesh_primitive_edge_visibility");
-    command->add_option("model", arguments->file, "A bare model, or a level")->required()->option_text("GLB|LEVEL");
-    command->add_option("--out", arguments->out, "The model to write")->required()->option_text("FILE.glb");
-    command->add_option("--crease-deg", arguments->crease_deg, "Edges folded by more are drawn; 40")
-        ->option_text("F")
-        ->check(number_in(0.1, 180.0));
-    command->callback([arguments] { export_model_edges(*arguments); });
+    command.add_option("model", arguments->file, "A bare model, or a level").required().option_text("GLB|LEVEL");
+    command.add_option("--out", arguments->out, "The model to write").required().option_text("FILE.glb");
+    command.add_option("--crease-deg", arguments->crease_deg, "Edges folded by more are drawn; 40")
+        .option_text("F")
+        .check(number_in(0.1, 180.0));
+    command.callback([arguments] { export_model_edges(*arguments); });
 }
 
 }  // namespace hw

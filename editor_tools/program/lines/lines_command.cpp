@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <numbers>
 
@@ -140,48 +139,48 @@ void draw_lines(const LinesArguments& arguments)
                              static_cast<std::ptrdiff_t>(found.size()) - seen, 1e3 * seconds);
 }
 
-void add_picture_arguments(CLI::App& command, LinesArguments& arguments)
+void add_picture_arguments(CommandLine command, LinesArguments& arguments)
 {
-    command.add_option("--camera", arguments.shot.camera, "A camera of the level or the model")->option_text("NAME");
-    command.add_option("--eye", arguments.shot.eye, "Where to look from, metres, y up")->option_text("X,Y,Z");
-    command.add_option("--target", arguments.shot.target, "What to look at")->option_text("X,Y,Z");
+    command.add_option("--camera", arguments.shot.camera, "A camera of the level or the model").option_text("NAME");
+    command.add_option("--eye", arguments.shot.eye, "Where to look from, metres, y up").option_text("X,Y,Z");
+    command.add_option("--target", arguments.shot.target, "What to look at").option_text("X,Y,Z");
     command.add_option("--fov-deg", arguments.shot.fov_deg, "Vertical field of view")
-        ->option_text("F")
-        ->check(number_in(1.0, 170.0));
-    command.add_option("--size", arguments.size, "Size of the drawing in pixels, 1280x720")->option_text("WxH");
-    command.add_option("--out", arguments.out, "The drawing")->required()->option_text("FILE.svg|FILE.pdf");
+        .option_text("F")
+        .check(number_in(1.0, 170.0));
+    command.add_option("--size", arguments.size, "Size of the drawing in pixels, 1280x720").option_text("WxH");
+    command.add_option("--out", arguments.out, "The drawing").required().option_text("FILE.svg|FILE.pdf");
 }
 
 }  // namespace
 
-void add_lines_command(CLI::App& app)
+void add_lines_command(CommandLine app)
 {
     auto arguments = std::make_shared<LinesArguments>();
-    CLI::App* command = app.add_subcommand("lines", "Draws the visible lines of a level as vectors, SVG or PDF");
-    command->add_option("level", arguments->file, "A level, or a bare model")->required()->option_text("LEVEL|GLB");
-    add_picture_arguments(*command, *arguments);
-    command->add_option("--hidden", arguments->hidden, "Hidden lines: none, or dashed")
-        ->option_text("HOW")
-        ->check(one_of({"dashed", "none"}));
+    CommandLine command = app.add_subcommand("lines", "Draws the visible lines of a level as vectors, SVG or PDF");
+    command.add_option("level", arguments->file, "A level, or a bare model").required().option_text("LEVEL|GLB");
+    add_picture_arguments(command, *arguments);
+    command.add_option("--hidden", arguments->hidden, "Hidden lines: none, or dashed")
+        .option_text("HOW")
+        .check(one_of({"dashed", "none"}));
     command
-        ->add_option("--mode", arguments->mode,
-                     "contour: silhouettes and borders; contour+crease; or all, also the "
-                     "artist's edges and where objects cut each other")
-        ->option_text("LINES")
-        ->check(one_of({"contour", "contour+crease", "all"}));
+        .add_option("--mode", arguments->mode,
+                    "contour: silhouettes and borders; contour+crease; or all, also the "
+                    "artist's edges and where objects cut each other")
+        .option_text("LINES")
+        .check(one_of({"contour", "contour+crease", "all"}));
     command
-        ->add_option("--crease-deg", arguments->crease_deg,
-                     "Edges folded by more are creases; as the styles say, 40 for a bare model")
-        ->option_text("F")
-        ->check(number_in(0.1, 180.0));
-    command->add_option("--style", arguments->styles, "Style nodes, such as '*=pen_and_ink'; as often as wanted")
-        ->option_text("GLOB=STYLE");
-    command->add_option("--runs", arguments->runs, "Find the lines so many times and tell the median time")
-        ->option_text("N")
-        ->check(whole_number_in(1, 1'000));
-    add_plugin_dir_argument(*command, arguments->plugin_dirs);
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { draw_lines(*arguments); });
+        .add_option("--crease-deg", arguments->crease_deg,
+                    "Edges folded by more are creases; as the styles say, 40 for a bare model")
+        .option_text("F")
+        .check(number_in(0.1, 180.0));
+    command.add_option("--style", arguments->styles, "Style nodes, such as '*=pen_and_ink'; as often as wanted")
+        .option_text("GLOB=STYLE");
+    command.add_option("--runs", arguments->runs, "Find the lines so many times and tell the median time")
+        .option_text("N")
+        .check(whole_number_in(1, 1'000));
+    add_plugin_dir_argument(command, arguments->plugin_dirs);
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { draw_lines(*arguments); });
 }
 
 }  // namespace hw

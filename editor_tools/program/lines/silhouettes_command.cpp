@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <numbers>
 
@@ -158,23 +157,23 @@ void find_silhouettes(const SilhouetteArguments& arguments)
 
 }  // namespace
 
-void add_silhouettes_command(CLI::App& app)
+void add_silhouettes_command(CommandLine app)
 {
     auto arguments = std::make_shared<SilhouetteArguments>();
-    CLI::App* command = app.add_subcommand("silhouettes", "Finds the silhouette edges of a model as seen from an eye");
-    command->add_option("level", arguments->file, "A bare model or a level")->required()->option_text("GLB|LEVEL");
-    command->add_option("--eye", arguments->eye, "The eye, world space, metres")->required()->option_text("X,Y,Z");
+    CommandLine command =
+        app.add_subcommand("silhouettes", "Finds the silhouette edges of a model as seen from an eye");
+    command.add_option("level", arguments->file, "A bare model or a level").required().option_text("GLB|LEVEL");
+    command.add_option("--eye", arguments->eye, "The eye, world space, metres").required().option_text("X,Y,Z");
     command
-        ->add_option("--method", arguments->method,
-                     "brute (all edges), candidates (only edges that can be a contour), hierarchy (only clusters of "
-                     "faces near the contour), auto (the fastest for each object); all are exact; auto")
-        ->check(one_of({"brute", "candidates", "hierarchy", "auto"}));
-    command->add_option("--crease-deg", arguments->crease_deg, "Edges folded by more are creases; 40")
-        ->option_text("F");
-    command->add_option("--dump-mesh", arguments->dump_mesh, "Write welded positions, faces and eye of each object")
-        ->option_text("FILE.json");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { find_silhouettes(*arguments); });
+        .add_option("--method", arguments->method,
+                    "brute (all edges), candidates (only edges that can be a contour), hierarchy (only clusters of "
+                    "faces near the contour), auto (the fastest for each object); all are exact; auto")
+        .check(one_of({"brute", "candidates", "hierarchy", "auto"}));
+    command.add_option("--crease-deg", arguments->crease_deg, "Edges folded by more are creases; 40").option_text("F");
+    command.add_option("--dump-mesh", arguments->dump_mesh, "Write welded positions, faces and eye of each object")
+        .option_text("FILE.json");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { find_silhouettes(*arguments); });
 }
 
 }  // namespace hw

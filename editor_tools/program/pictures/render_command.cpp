@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <iostream>
 
@@ -147,29 +146,29 @@ void render(const RenderArguments& arguments)
 
 }  // namespace
 
-void add_render_command(CLI::App& app)
+void add_render_command(CommandLine app)
 {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = app.add_subcommand("render", "Draws pictures of a level, from a camera or along a path");
-    add_level_arguments(*command, arguments->level);
-    add_shot_arguments(*command, arguments->shots);
-    add_show_arguments(*command, arguments->show);
-    command->add_option("--size", arguments->size, "Size of the picture in pixels, 1280x720")->option_text("WxH");
-    command->add_option("--out", arguments->out, "The PNG file; with --path a folder for frame_0000.png and on")
-        ->required()
-        ->option_text("FILE.png|DIR");
-    command->add_option("--samples", arguments->samples, "Samples for each pixel, 1 or 4")
-        ->option_text("N")
-        ->check(one_of({"1", "4"}));
-    command->add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
-        ->option_text("WAY")
-        ->check(one_of({"automatic", "native", "quads"}));
+    CommandLine command = app.add_subcommand("render", "Draws pictures of a level, from a camera or along a path");
+    add_level_arguments(command, arguments->level);
+    add_shot_arguments(command, arguments->shots);
+    add_show_arguments(command, arguments->show);
+    command.add_option("--size", arguments->size, "Size of the picture in pixels, 1280x720").option_text("WxH");
+    command.add_option("--out", arguments->out, "The PNG file; with --path a folder for frame_0000.png and on")
+        .required()
+        .option_text("FILE.png|DIR");
+    command.add_option("--samples", arguments->samples, "Samples for each pixel, 1 or 4")
+        .option_text("N")
+        .check(one_of({"1", "4"}));
+    command.add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
+        .option_text("WAY")
+        .check(one_of({"automatic", "native", "quads"}));
     command
-        ->add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
-        ->option_text("K/N");
-    command->add_flag("--stats", arguments->has_stats, "Print what each frame did");
-    add_json_argument(*command, arguments->json);
-    command->callback([arguments] { render(*arguments); });
+        .add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
+        .option_text("K/N");
+    command.add_flag("--stats", arguments->has_stats, "Print what each frame did");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { render(*arguments); });
 }
 
 }  // namespace hw

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
@@ -69,21 +68,21 @@ std::vector<Shot> shots_along(const CameraPath& path, const ShotArguments& argum
 
 }  // namespace
 
-void add_shot_arguments(CLI::App& command, ShotArguments& arguments)
+void add_shot_arguments(CommandLine command, ShotArguments& arguments)
 {
-    command.add_option("--camera", arguments.camera, "A camera of the level or the model")->option_text("NAME");
-    command.add_option("--eye", arguments.eye, "Where to look from, metres, y up")->option_text("X,Y,Z");
-    command.add_option("--target", arguments.target, "What to look at")->option_text("X,Y,Z");
+    command.add_option("--camera", arguments.camera, "A camera of the level or the model").option_text("NAME");
+    command.add_option("--eye", arguments.eye, "Where to look from, metres, y up").option_text("X,Y,Z");
+    command.add_option("--target", arguments.target, "What to look at").option_text("X,Y,Z");
     command.add_option("--fov-deg", arguments.fov_deg, "Vertical field of view")
-        ->option_text("F")
-        ->check(number_in(1.0, 170.0));
-    command.add_option("--path", arguments.path, "A camera path of the level, or turntable")->option_text("NAME");
+        .option_text("F")
+        .check(number_in(1.0, 170.0));
+    command.add_option("--path", arguments.path, "A camera path of the level, or turntable").option_text("NAME");
     command.add_option("--frames", arguments.frames, "That many pictures, spread evenly over the path")
-        ->option_text("N")
-        ->check(whole_number_in(1, 100'000));
+        .option_text("N")
+        .check(whole_number_in(1, 100'000));
     command.add_option("--time-s", arguments.time_s, "The time that the styles see, without a path")
-        ->option_text("T")
-        ->check(number_in(-1e9, 1e9));
+        .option_text("T")
+        .check(number_in(-1e9, 1e9));
 }
 
 void check_shot_arguments(const ShotArguments& arguments)

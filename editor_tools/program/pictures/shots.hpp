@@ -6,10 +6,7 @@
 
 #include "hatchway/render/view/camera_view.hpp"
 #include "hatchway/stage/stage.hpp"
-
-namespace CLI {
-class App;
-}
+#include "program/command_line.hpp"
 
 namespace hw {
 
@@ -34,7 +31,7 @@ struct Shot {
 inline constexpr const char* kTour = "tour";
 inline constexpr const char* kTurntable = "turntable";
 
-void add_shot_arguments(CLI::App& command, ShotArguments& arguments);
+void add_shot_arguments(CommandLine command, ShotArguments& arguments);
 
 /// Checks what can be checked before a level is opened. Throws hw::Error.
 void check_shot_arguments(const ShotArguments& arguments);

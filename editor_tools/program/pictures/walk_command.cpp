@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "hatchway/core/error.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
@@ -44,25 +42,25 @@ std::string keys_text()
 
 }  // namespace
 
-void add_walk_command(CLI::App& app)
+void add_walk_command(CommandLine app)
 {
     auto arguments = std::make_shared<WalkArguments>();
-    CLI::App* command = app.add_subcommand("walk", "Walks through a level in a window");
-    add_level_arguments(*command, arguments->options.level);
-    command->add_option("--camera", arguments->options.camera, "Start at a camera of the level or the model")
-        ->option_text("NAME");
-    add_show_arguments(*command, arguments->options.show);
-    command->add_option("--size", arguments->size, "Size of the window, 1280x720")->option_text("WxH");
+    CommandLine command = app.add_subcommand("walk", "Walks through a level in a window");
+    add_level_arguments(command, arguments->options.level);
+    command.add_option("--camera", arguments->options.camera, "Start at a camera of the level or the model")
+        .option_text("NAME");
+    add_show_arguments(command, arguments->options.show);
+    command.add_option("--size", arguments->size, "Size of the window, 1280x720").option_text("WxH");
     command
-        ->add_option("--fps", arguments->options.target_fps,
-                     "Frames a second to hold by fewer samples and pixels: 60, or 30 on a software renderer")
-        ->option_text("F")
-        ->check(number_in(1.0, 1000.0));
-    command->add_option("--samples", arguments->options.samples, "Always 1 or 4 samples, whatever the frame rate")
-        ->option_text("N")
-        ->check(one_of({"1", "4"}));
-    command->footer(keys_text());
-    command->callback([arguments] { walk(*arguments); });
+        .add_option("--fps", arguments->options.target_fps,
+                    "Frames a second to hold by fewer samples and pixels: 60, or 30 on a software renderer")
+        .option_text("F")
+        .check(number_in(1.0, 1000.0));
+    command.add_option("--samples", arguments->options.samples, "Always 1 or 4 samples, whatever the frame rate")
+        .option_text("N")
+        .check(one_of({"1", "4"}));
+    command.footer(keys_text());
+    command.callback([arguments] { walk(*arguments); });
 }
 
 }  // namespace hw

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
@@ -11,16 +10,16 @@
 
 namespace hw {
 
-void add_show_arguments(CLI::App& command, ShowArguments& arguments)
+void add_show_arguments(CommandLine command, ShowArguments& arguments)
 {
     command
         .add_option("--show", arguments.kinds,
                     "Lines that explain visibility from where the eye is: leaves, portals, pvs (boxes of what may be "
                     "seen, faint of what is hidden), wire; several by commas")
-        ->option_text("WHAT")
-        ->check(one_of({"leaves", "portals", "pvs", "wire"}))
-        ->delimiter(',')
-        ->allow_extra_args(false);
+        .option_text("WHAT")
+        .check(one_of({"leaves", "portals", "pvs", "wire"}))
+        .delimiter(',')
+        .one_value_each();
     command.add_flag("--leak", arguments.has_leaks, "Draw the ways out of a level that ought to be sealed");
 }
 
@@ -35,7 +34,7 @@ std::string leak_text(const Leak& leak)
     constexpr std::size_t kMostTold = 12;
     text += ", by way of";
     for (std::size_t i = 0; i < std::min(leak.points_world.size(), kMostTold); ++i)
-        text += " " + place(leak.points_world[i]);
+        text += fmt::format(" {}", place(leak.points_world[i]));
     if (leak.points_world.size() > kMostTold)
         text += fmt::format(" and {} more points", leak.points_world.size() - kMostTold);
     return text;

@@ -5,10 +5,7 @@
 
 #include "hatchway/stage/stage.hpp"
 #include "hatchway/walk/world_lines.hpp"
-
-namespace CLI {
-class App;
-}
+#include "program/command_line.hpp"
 
 namespace hw {
 
@@ -18,7 +15,7 @@ struct ShowArguments {
     bool has_leaks = false;
 };
 
-void add_show_arguments(CLI::App& command, ShowArguments& arguments);
+void add_show_arguments(CommandLine command, ShowArguments& arguments);
 
 /// The ways out of a level, each told in a line of the log; one line when there is none. Throws hw::Error for a level
 /// that names no place to look from.
