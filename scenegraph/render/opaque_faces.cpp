@@ -7,108 +7,120 @@ namespace {
 /// stay cheaper than shading.
 constexpr std::uint32_t kAskedTriangles = 32;
 
-std::vector<SurfaceItem> surface_items_of(const FrameParts& frame, const FaceCall& call, const VisibleSet& visible)
+std::vector<SurfaceItem> surface_items_of(const Frame& frame, const FaceCall& call, const VisibleSet& visible)
 {
     std::vector<SurfaceItem> surface_items;
     surface_items.reserve(call.items.size());
     for (const DrawItem& item : call.items) {
         const VisibleObject& object = visible.objects[item.slot];
-        surface_items.push_back({&item, &object, choose_maps((*frame.looks)[object.object].maps, *call.style_maps)});
+        surface_items.push_back(
+            {&item, &object, choose_maps(frame.scene.input.objects[object.object].maps, *call.style_maps)});
     }
     return surface_items;
 }
 
 /// What a style cuts out by itself, depth alone cannot know.
-bool has_plain_depth(const FrameParts& frame, const FaceCall& call)
+bool has_plain_depth(const Frame& frame, const FaceCall& call)
 {
-    return !frame.programs->discards(call.program);
+    return !frame.device.programs.discards(call.program);
 }
 
-void lay_depth(const FrameParts& frame, const FaceCall& call)
+void lay_depth(const Frame& frame, const FaceCall& call)
 {
     if (has_plain_depth(frame, call))
-        frame.surfaces->draw_depth({}, surface_items_of(frame, call, *frame.visible), frame.visible->ranges);
+        frame.faces().draw_depth({}, surface_items_of(frame, call, frame.view.visible), frame.view.visible.ranges);
 }
 
-PipelineState state_after_depth(const FrameParts& frame, const FaceCall& call)
+PipelineState state_after_depth(const Frame& frame, const FaceCall& call)
 {
     if (!has_plain_depth(frame, call)) return {};
     return {.depth_test = DepthTest::equal, .writes_depth = false};
 }
 
+/// With one sample the software renderer ends hidden fragments by itself; a GPU does so always.
+bool asks_what_is_hidden(const Frame& frame)
+{
+    const FrameOptions& options = frame.view.options;
+    return options.skips_hidden && options.samples > 1 && frame.device.context.device().is_software;
+}
+
 /// What of the visible set is at the depth that the picture holds. All that may be seen is in it, whatever the order of
 /// drawing: objects of equal depth all are.
-VisibleSet ask_what_is_seen(const FrameParts& frame)
+VisibleSet ask_what_is_seen(const Frame& frame)
 {
-    const VisibleSet pieces = in_pieces(*frame.visible, kAskedTriangles);
+    const VisibleSet pieces = in_pieces(frame.view.visible, kAskedTriangles);
     std::vector<std::uint8_t> is_asked(pieces.objects.size(), 0);
     const PipelineState at_equal_depth{.depth_test = DepthTest::equal, .writes_depth = false};
-    for (const FaceCall& call : frame.opaque_faces) {
+    for (const FaceCall& call : frame.results.opaque_faces) {
         if (!has_plain_depth(frame, call)) continue;
         std::vector<SurfaceItem> items = surface_items_of(frame, call, pieces);
         std::erase_if(items, [&](const SurfaceItem& item) { return is_asked[item.item->slot] != 0; });
         for (const SurfaceItem& item : items) is_asked[item.item->slot] = 1;
-        frame.surfaces->draw_depth(at_equal_depth, items, pieces.ranges, frame.queries);
+        frame.faces().draw_depth(at_equal_depth, items, pieces.ranges, &frame.device.queries);
     }
     std::vector<std::uint8_t> is_seen(pieces.ranges.size(), 1);
     for (std::size_t slot = 0; slot < pieces.objects.size(); ++slot) {
         const std::uint32_t first = pieces.objects[slot].first_range;
         for (std::uint32_t i = first; is_asked[slot] != 0 && i < first + pieces.objects[slot].range_count; ++i)
-            is_seen[i] = frame.queries->has_passed(i) ? 1 : 0;
+            is_seen[i] = frame.device.queries.has_passed(i) ? 1 : 0;
     }
     return only_marked(pieces, is_seen);
 }
 
 }  // namespace
 
-void draw_faces(const FrameParts& frame, const FaceCall& call, const PipelineState& state, Hidden hidden)
+void draw_faces(const Frame& frame, const FaceCall& call, const PipelineState& state, Hidden hidden)
 {
-    const VisibleSet& visible = hidden == Hidden::left_out && frame.seen ? *frame.seen : *frame.visible;
-    const bool has_shadow = call.light.uses_shadow && frame.shadow_texture != 0;
-    frame.surfaces->draw({.program = call.program,
-                          .uniforms = &call.uniforms,
-                          .state = state,
-                          .features = frame.scene_features | (has_shadow ? surface_feature::kShadow : 0),
-                          .time_s = frame.view->time_s,
-                          .shadow_texture = has_shadow ? frame.shadow_texture : 0,
-                          .streams = call.light.streams,
-                          .lightmap = call.light.uses_lightmap ? frame.lightmap : nullptr},
-                         surface_items_of(frame, call, visible), visible.ranges);
+    const VisibleSet& visible =
+        hidden == Hidden::left_out && frame.results.seen ? *frame.results.seen : frame.view.visible;
+    const std::uint32_t shadow = call.light.uses_shadow ? frame.scene.shadow.texture() : 0;
+    frame.faces().draw({.program = call.program,
+                        .uniforms = &call.uniforms,
+                        .state = state,
+                        .features = frame.scene.light_features | (shadow != 0 ? surface_feature::kShadow : 0),
+                        .time_s = frame.view.camera.time_s,
+                        .shadow_texture = shadow,
+                        .streams = call.light.streams,
+                        .lightmap = call.light.uses_lightmap ? &frame.scene.lightmap : nullptr},
+                       surface_items_of(frame, call, visible), visible.ranges);
 }
 
-void draw_faces_depth_first(const FrameParts& frame, const FaceCall& call)
+void draw_faces_depth_first(const Frame& frame, const FaceCall& call)
 {
     lay_depth(frame, call);
     draw_faces(frame, call, state_after_depth(frame, call));
 }
 
-void draw_opaque_faces(FrameParts& frame)
+void draw_opaque_faces(const Frame& frame)
 {
-    frame.picture->bind();
-    for (const FaceCall& call : frame.opaque_faces) lay_depth(frame, call);
-    if (frame.queries != nullptr) frame.seen = ask_what_is_seen(frame);
-    for (const FaceCall& call : frame.opaque_faces)
+    frame.view.picture.bind();
+    for (const FaceCall& call : frame.results.opaque_faces) lay_depth(frame, call);
+    if (asks_what_is_hidden(frame)) frame.results.seen = ask_what_is_seen(frame);
+    for (const FaceCall& call : frame.results.opaque_faces)
         draw_faces(frame, call, state_after_depth(frame, call), Hidden::left_out);
-    frame.state->apply({});
+    frame.device.state.apply({});
 }
 
-void lay_line_depth(FrameParts& frame)
+void lay_line_depth(const Frame& frame)
 {
-    GpuTarget& target = frame.pool->take(
-        {.size_px = frame.view->size_px, .colours = {}, .has_depth_texture = true, .filter = FilterMode::nearest});
+    GpuTarget& target = frame.device.pool.take({.size_px = frame.view.camera.size_px,
+                                                .colours = {},
+                                                .has_depth_texture = true,
+                                                .filter = FilterMode::nearest});
     target.bind();
     target.clear_depth();
-    const FaceOffset& offset = frame.line_frame.offset;
+    const FaceOffset& offset = frame.view.options.line_offset;
     const PipelineState state{.writes_colour = false, .offset_factor = offset.factor, .offset_units = offset.units};
-    for (const FaceCall& call : frame.opaque_faces) {
+    for (const FaceCall& call : frame.results.opaque_faces) {
         if (has_plain_depth(frame, call))
-            frame.surfaces->draw_depth(state, surface_items_of(frame, call, *frame.visible), frame.visible->ranges);
+            frame.faces().draw_depth(state, surface_items_of(frame, call, frame.view.visible),
+                                     frame.view.visible.ranges);
         else
             draw_faces(frame, call, state);
     }
-    frame.line_frame.depth_texture = target.depth().id();
-    frame.picture->bind();
-    frame.state->apply({});
+    frame.results.line_depth_texture = target.depth().id();
+    frame.view.picture.bind();
+    frame.device.state.apply({});
 }
 
 }  // namespace hw

@@ -31,7 +31,7 @@ class Renderer {
     void set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects);
 
     /// Draws a frame. Deterministic: depends on the scene and these arguments alone. Never throws for a style's fault.
-    FrameStats draw(const View& view, const FrameOptions& options);
+    FrameStats draw(const View& camera, const FrameOptions& options);
 
     /// The last picture, RGB, sRGB, top row first.
     Pixels read_picture();

@@ -47,29 +47,29 @@ PipelineState picture_state(PassStage stage)
 
 }  // namespace
 
-StylePass::StylePass(FrameParts& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps)
+StylePass::StylePass(const Frame& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps)
     : frame_(frame), stage_(stage), light_(light), style_maps_(maps)
 {
 }
 
 Image StylePass::image(const ImageKey& key) const
 {
-    const auto found = frame_.images.find(key);
-    return found == frame_.images.end() ? Image() : found->second;
+    const auto found = frame_.results.images.find(key);
+    return found == frame_.results.images.end() ? Image() : found->second;
 }
 
 GpuTarget* StylePass::transient(const TargetDesc& target)
 {
-    const glm::vec2 size = glm::vec2(frame_.view->size_px) * std::clamp(target.scale, 0.01f, 4.0f);
+    const glm::vec2 size = glm::vec2(frame_.view.camera.size_px) * std::clamp(target.scale, 0.01f, 4.0f);
     const bool is_float = target.format >= PixelFormat::rgba16f;
     try {
-        GpuTarget& made = frame_.pool->take({.size_px = glm::max(glm::ivec2(glm::ceil(size)), glm::ivec2(1)),
-                                             .colours = {texture_format(target.format)},
-                                             .has_depth = target.has_depth,
-                                             .filter = is_float ? FilterMode::nearest : FilterMode::linear});
-        ++frame_.transient_targets;
+        GpuTarget& made = frame_.device.pool.take({.size_px = glm::max(glm::ivec2(glm::ceil(size)), glm::ivec2(1)),
+                                                   .colours = {texture_format(target.format)},
+                                                   .has_depth = target.has_depth,
+                                                   .filter = is_float ? FilterMode::nearest : FilterMode::linear});
+        ++frame_.results.transient_targets;
         made.bind();
-        frame_.state->apply({});
+        frame_.device.state.apply({});
         made.clear(target.clear);
         return &made;
     } catch (const Error& error) {
@@ -88,24 +88,24 @@ Image StylePass::render(const TargetDesc& target, Program program, const Uniform
         draw_faces_depth_first(frame_, call);
     else
         draw_faces(frame_, call, {.depth_test = DepthTest::off});
-    frame_.picture->bind();
+    frame_.view.picture.bind();
     return {made->colour().id(), made->desc().size_px};
 }
 
 Image StylePass::filter(const TargetDesc& target, Program program, const Uniforms& uniforms)
 {
-    const LinkedProgram* linked = frame_.programs->full_screen(program);
+    const LinkedProgram* linked = frame_.device.programs.full_screen(program);
     if (linked == nullptr) return {};
     TargetDesc flat = target;
     flat.has_depth = false;
     GpuTarget* made = transient(flat);
     if (made == nullptr) return {};
-    frame_.state->use(linked->gpu);
-    set_uniforms(linked->gpu, uniforms, *frame_.state);
-    frame_.state->apply({.depth_test = DepthTest::off, .writes_depth = false, .culling = Culling::off});
-    frame_.state->bind(*frame_.no_vertices);
-    frame_.state->draw(Primitive::triangles, 0, 3);
-    frame_.picture->bind();
+    frame_.device.state.use(linked->gpu);
+    set_uniforms(linked->gpu, uniforms, frame_.device.state);
+    frame_.device.state.apply({.depth_test = DepthTest::off, .writes_depth = false, .culling = Culling::off});
+    frame_.device.state.bind(frame_.device.no_vertices);
+    frame_.device.state.draw(Primitive::triangles, 0, 3);
+    frame_.view.picture.bind();
     return {made->colour().id(), made->desc().size_px};
 }
 
@@ -119,7 +119,7 @@ void StylePass::surfaces(Program program, const Uniforms& uniforms, std::span<co
     if (stage_ == PassStage::images) return;
     FaceCall call = call_of(program, uniforms, items);
     if (stage_ == PassStage::base)
-        frame_.opaque_faces.push_back(std::move(call));
+        frame_.results.opaque_faces.push_back(std::move(call));
     else
         draw_faces(frame_, call, picture_state(stage_), Hidden::left_out);
 }
@@ -128,8 +128,9 @@ void StylePass::lines(const LineLook& look, std::span<const DrawItem> items)
 {
     if (stage_ == PassStage::images) return;
     std::vector<LineItem> line_items;
-    for (const DrawItem& item : items) line_items.push_back({&item, &frame_.visible->objects[item.slot]});
-    frame_.lines->draw(frame_.line_frame, look, line_items, *frame_.edges);
+    for (const DrawItem& item : items) line_items.push_back({&item, &frame_.view.visible.objects[item.slot]});
+    const LineFrame line_frame{frame_.view.camera, frame_.view.options.line_path, frame_.results.line_depth_texture};
+    frame_.device.lines.draw(line_frame, look, line_items, frame_.scene.edges);
 }
 
 }  // namespace hw

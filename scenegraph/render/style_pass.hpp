@@ -1,13 +1,13 @@
 #pragma once
 
-#include "hatchway/render/frame_parts.hpp"
+#include "hatchway/render/frame.hpp"
 
 namespace hw {
 
 /// In which part of the frame a style draws.
 enum class PassStage : std::uint8_t {
     images,   ///< Nothing reaches the picture.
-    base,     ///< An object's first style: opaque faces cover. They are collected in FrameParts::opaque_faces.
+    base,     ///< An object's first style: opaque faces cover. They are collected in FrameResults::opaque_faces.
     over,     ///< Its second: faces at equal depth, mixed in by presence.
     blended,  ///< Faces of glTF BLEND materials.
 };
@@ -16,9 +16,9 @@ enum class PassStage : std::uint8_t {
 class StylePass final : public Pass {
  public:
     /// `maps` are those of the style's needs, for objects without maps of that kind; they must outlive the pass.
-    StylePass(FrameParts& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps);
+    StylePass(const Frame& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps);
 
-    const View& view() const override { return *frame_.view; }
+    const View& view() const override { return frame_.view.camera; }
     Image image(const ImageKey& key) const override;
     Image render(const TargetDesc& target, Program program, const Uniforms& uniforms,
                  std::span<const DrawItem> items) override;
@@ -30,7 +30,7 @@ class StylePass final : public Pass {
     GpuTarget* transient(const TargetDesc& target);
     FaceCall call_of(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) const;
 
-    FrameParts& frame_;
+    const Frame& frame_;
     PassStage stage_;
     StyleLight light_;
     const std::map<MapKind, int>& style_maps_;

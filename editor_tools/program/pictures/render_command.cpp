@@ -29,14 +29,13 @@ struct RenderArguments {
     std::string size = "1280x720";
     fs::path out;
     int samples = 4;
-    std::string lines = "automatic";
+    std::string lines = "quads";
     std::string part = "1/1";
     bool has_stats = false;
     fs::path json;
 };
 
-const std::map<std::string, LinePath> kLinePaths{
-    {"automatic", LinePath::automatic}, {"native", LinePath::native}, {"quads", LinePath::quads}};
+const std::map<std::string, LinePath> kLinePaths{{"native", LinePath::native}, {"quads", LinePath::quads}};
 
 bool is_path(const RenderArguments& arguments)
 {
@@ -160,9 +159,9 @@ void add_render_command(CommandLine app)
     command.add_option("--samples", arguments->samples, "Samples for each pixel, 1 or 4")
         .option_text("N")
         .check(one_of({"1", "4"}));
-    command.add_option("--lines", arguments->lines, "How lines are drawn: automatic, native or quads")
+    command.add_option("--lines", arguments->lines, "How lines are drawn: quads, or native (GL_LINES)")
         .option_text("WAY")
-        .check(one_of({"automatic", "native", "quads"}));
+        .check(one_of({"quads", "native"}));
     command
         .add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
         .option_text("K/N");

@@ -53,7 +53,7 @@ LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) cons
     // Quads have the width that is asked for, with any number of samples, and need no state of their own: see
     // `measure lines`. GL_LINES are the way of 2001, for who wants it.
     if (frame.path != LinePath::native || look.depth_taper > 0.0f || !look.stroke.is_ruled()) return LinePath::quads;
-    const float widest = *std::max_element(look.width_px.begin(), look.width_px.end()) * frame.view->px_scale;
+    const float widest = *std::max_element(look.width_px.begin(), look.width_px.end()) * frame.view.px_scale;
     const bool fits = widest <= device_.max_line_width_px && widest + 1.0f <= device_.max_point_size_px;
     return fits ? LinePath::native : LinePath::quads;
 }
@@ -63,12 +63,12 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
 {
     std::vector<std::uint32_t> first_lines;
     vertices_.clear();
-    const Viewpoint viewpoint = viewpoint_of(*frame.view);
+    const Viewpoint viewpoint = viewpoint_of(frame.view);
     for (const LineItem& item : items) {
         first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
         const Surface* surface = edges.surface(item.object->object);
         const LineMesh* lines = edges.lines(item.object->object);
-        if (surface == nullptr || width_px(*frame.view, look, LineClass::silhouette) <= 0.0f) continue;
+        if (surface == nullptr || width_px(frame.view, look, LineClass::silhouette) <= 0.0f) continue;
         const float crease_rad = std::max(look.crease_rad, lines->crease_rad);
         const std::uint64_t idle = scratch_.counters.objects_without_work;
         const Viewpoint here = in_object(viewpoint, edges.world_from_object(item.object->object));
@@ -116,7 +116,7 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
     std::array<float, kLineClassCount> widths;
     std::array<glm::vec3, kLineClassCount> colours;
     for (int i = 0; i < kLineClassCount; ++i) {
-        widths[i] = width_px(*frame.view, look, static_cast<LineClass>(i));
+        widths[i] = width_px(frame.view, look, static_cast<LineClass>(i));
         colours[i] = linear_from_srgb(look.colour[i]);
     }
     state_.use(*program.gpu);
@@ -128,9 +128,9 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
     const StrokeCharacter& stroke = look.stroke;
     GpuProgram::set(
         program.gpu->location("hw_stroke_px"),
-        frame.view->px_scale * glm::vec4(stroke.wobble_px, stroke.bend_px, stroke.overshoot_px, stroke.taper_px));
+        frame.view.px_scale * glm::vec4(stroke.wobble_px, stroke.bend_px, stroke.overshoot_px, stroke.taper_px));
     GpuProgram::set(program.gpu->location("hw_stroke_dash"),
-                    glm::vec2(stroke.dash_px * frame.view->px_scale, stroke.dash_share));
+                    glm::vec2(stroke.dash_px * frame.view.px_scale, stroke.dash_share));
 }
 
 void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges)
@@ -148,12 +148,12 @@ void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<co
                 const LineMesh* lines = edges.lines(items[i].object->object);
                 const DrawItem& item = *items[i].item;
                 if (lines == nullptr || has_presence(item) != with_presence) continue;
-                if (!shows_at_all(item, frame.view->time_s)) continue;
+                if (!shows_at_all(item, frame.view.time_s)) continue;
                 const Surface& surface = *edges.surface(items[i].object->object);
                 draw_item(program, frame, look, items[i], *lines, lines->buffer,
                           stretches_of(*lines, surface, frame, look, path));
                 const Stretch silhouettes{first_lines[i], first_lines[i + 1] - first_lines[i],
-                                          width_px(*frame.view, look, LineClass::silhouette)};
+                                          width_px(frame.view, look, LineClass::silhouette)};
                 draw_item(program, frame, look, items[i], *lines, stream_, {&silhouettes, 1});
             }
         }
@@ -165,7 +165,7 @@ std::vector<LineDrawer::Stretch> LineDrawer::stretches_of(const LineMesh& lines,
 {
     std::vector<Stretch> stretches;
     for (const LineMesh::Run& run : lines.runs) {
-        const float width = width_px(*frame.view, look, run.line_class);
+        const float width = width_px(frame.view, look, run.line_class);
         if (width <= 0.0f) continue;
         const bool is_cut = look.crease_rad > lines.crease_rad;
         const std::uint32_t count = is_cut ? run_length_at(run, surface, look.crease_rad) : run.count;
@@ -187,7 +187,7 @@ void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, c
     const bool is_empty =
         std::all_of(stretches.begin(), stretches.end(), [](const Stretch& s) { return s.count == 0; });
     if (is_empty) return;
-    const View& view = *frame.view;
+    const View& view = frame.view;
     GpuProgram::set(program.clip_from_object, item.object->clip_from_object);
     GpuProgram::set(program.relative_from_object, item.object->relative_from_object);
     GpuProgram::set(program.eye_object, glm::vec3(glm::inverse(item.object->relative_from_object)[3]));

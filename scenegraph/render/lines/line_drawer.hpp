@@ -17,11 +17,9 @@ namespace hw {
 
 /// How lines reach the picture in one frame.
 struct LineFrame {
-    const View* view = nullptr;
-    int samples = 1;
-    LinePath path = LinePath::automatic;
-    FaceOffset offset;
-    std::uint32_t depth_texture = 0;  ///< Of the faces, see lay_line_depth().
+    const View& view;
+    LinePath path = LinePath::quads;
+    std::uint32_t depth_texture = 0;  ///< Of the faces, behind them by the polygon offset.
 };
 
 /// An item whose lines are drawn and where its object stands.

@@ -4,7 +4,9 @@
 
 namespace hw {
 
-enum class LinePath : unsigned char { automatic, native, quads };
+/// How lines reach the picture. `native`: as GL_LINES, the way of 2001, where the device draws them that wide and the
+/// look is ruled; else as quads.
+enum class LinePath : unsigned char { quads, native };
 
 /// How far the depth that lines are tested against lies behind the faces, as a polygon offset.
 struct FaceOffset {
@@ -16,7 +18,7 @@ struct FrameOptions {
     int samples = 4;  ///< 1 or 4.
     bool use_pvs = true;
     bool skips_hidden = true;  ///< Leaves objects unshaded that others hide, where that pays. Never changes a pixel.
-    LinePath line_path = LinePath::automatic;
+    LinePath line_path = LinePath::quads;
     FaceOffset line_offset;
     bool is_timed = false;  ///< Wait for the device after each phase, so that phases can be told apart.
     Overlay overlay;

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "hatchway/render/device/surface_drawer.hpp"
+#include "hatchway/render/frame_plan.hpp"
+#include "hatchway/render/loaded_scene.hpp"
+#include "hatchway/render/render_device.hpp"
+#include "hatchway/render/view/frame_options.hpp"
+
+namespace hw {
+
+/// Which light of the frame and which streams of meshes a style reads.
+struct StyleLight {
+    bool uses_shadow = false;
+    bool uses_lightmap = false;
+    Streams streams = {};
+};
+
+/// One call of a style for faces, kept until all styles have said what they draw.
+struct FaceCall {
+    Program program;
+    Uniforms uniforms;
+    std::vector<DrawItem> items;
+    StyleLight light;
+    const std::map<MapKind, int>* style_maps = nullptr;
+};
+
+/// One view of a frame: what is seen from where, and the target that it is drawn into. A second view in the same frame,
+/// such as that of a mirror, has another of these and other results; scene and device are shared.
+struct FrameView {
+    const View& camera;
+    const FrameOptions& options;
+    GpuTarget& picture;  ///< Size of the camera's; multisampled when the options say so.
+    VisibleSet visible;  ///< What may be seen from the camera.
+    FramePlan plan;      ///< Which style draws what of `visible`.
+};
+
+/// What the phases leave for those after them. Textures belong to the device's pool and live as long as the frame.
+struct FrameResults {
+    std::map<ImageKey, Image> images;      ///< Made by image passes.
+    std::vector<FaceCall> opaque_faces;    ///< Of first styles, in the order of the calls.
+    std::optional<VisibleSet> seen;        ///< What of `visible` no other face hides, when that was asked.
+    std::uint32_t line_depth_texture = 0;  ///< The depth that lines are tested against: see lay_line_depth().
+    int transient_targets = 0;             ///< Made by Pass::render and Pass::filter.
+};
+
+/// What is handed through the phases of a frame.
+struct Frame {
+    FrameView& view;
+    LoadedScene& scene;
+    RenderDevice& device;
+    FrameResults& results;
+
+    SurfaceDrawer faces() const { return {device.programs, device.state, scene.gpu}; }
+};
+
+}  // namespace hw

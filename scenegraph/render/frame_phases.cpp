@@ -1,0 +1,143 @@
+#include "hatchway/render/frame_phases.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "hatchway/render/opaque_faces.hpp"
+#include "hatchway/render/products/shared_images.hpp"
+#include "hatchway/render/style_pass.hpp"
+
+namespace hw {
+namespace {
+
+StylePass pass_of(const Frame& frame, int style, PassStage stage)
+{
+    const Needs& needs = frame.scene.needs[style];
+    const StyleLight light{needs.shadow == ShadowNeed::main_light, needs.lightmap && frame.scene.lightmap.has_light(),
+                           needs.streams};
+    return {frame, stage, light, frame.scene.style_maps[style]};
+}
+
+Style& style_of(const Frame& frame, int style)
+{
+    return *frame.scene.input.styles[style].style;
+}
+
+int style_count(const Frame& frame)
+{
+    return static_cast<int>(frame.view.plan.styles.size());
+}
+
+std::vector<DrawItem> opaque_items(const StyleItems& of_style)
+{
+    std::vector<DrawItem> items = of_style.base;
+    items.insert(items.end(), of_style.over.begin(), of_style.over.end());
+    return items;
+}
+
+/// Whether some style of the scene draws lines, seen or not.
+bool has_lines(const LoadedScene& scene)
+{
+    const auto draws_lines = [&](int style) { return style != kNone && scene.needs[style].edges.has_value(); };
+    return std::any_of(scene.input.objects.begin(), scene.input.objects.end(), [&](const StyledObject& object) {
+        return draws_lines(object.style) || draws_lines(object.over);
+    });
+}
+
+void draw_opaque(const Frame& frame, PassStage stage, std::vector<DrawItem> StyleItems::*items_of)
+{
+    for (int i = 0; i < style_count(frame); ++i) {
+        const std::vector<DrawItem>& items = frame.view.plan.styles[i].*items_of;
+        if (items.empty()) continue;
+        StylePass pass = pass_of(frame, i, stage);
+        style_of(frame, i).surfaces(pass, Layer::opaque, items);
+        frame.device.state.apply({});
+    }
+}
+
+}  // namespace
+
+void draw_products(const Frame& frame)
+{
+    LoadedScene& scene = frame.scene;
+    for (int i = 0; i < style_count(frame); ++i) {
+        if (frame.view.plan.styles[i].is_empty()) continue;
+        const Needs& needs = scene.needs[i];
+        if (needs.lightmap) scene.lightmap.prepare();
+        const bool is_all_baked = needs.lightmap && scene.is_all_baked;
+        if (needs.shadow == ShadowNeed::main_light && !is_all_baked)
+            scene.shadow.prepare(*scene.input.scene, scene.gpu, scene.light, frame.device.programs, frame.device.state);
+    }
+    stream_frame_block(frame.device.frame_block, frame.view.camera, scene.light, scene.shadow.frame());
+}
+
+void draw_images(const Frame& frame)
+{
+    const LoadedScene& scene = frame.scene;
+    RenderDevice& device = frame.device;
+    static const std::map<MapKind, int> kNoMaps;
+    std::set<ImageKey> wanted;
+    for (int i = 0; i < style_count(frame); ++i)
+        if (!frame.view.plan.styles[i].is_empty())
+            wanted.insert(scene.needs[i].images.begin(), scene.needs[i].images.end());
+    const auto needs_of = [&](const ImageKey& key) -> const Needs* {
+        const auto found = scene.image_needs.find(key);
+        return found == scene.image_needs.end() ? nullptr : &found->second;
+    };
+    const EngineImageInput input{&frame.view.camera, &frame.view.visible, scene.input.scene, scene.input.objects,
+                                 scene.first_triangle};
+    for (const ImageKey& key : in_order_of_need(wanted, needs_of)) {
+        if (is_engine_image(key.pass)) {
+            frame.results.images[key] =
+                draw_engine_image(key.pass, input, frame.scene.gpu, device.programs, device.state, device.pool);
+            continue;
+        }
+        StylePass pass(frame, PassStage::images, {}, kNoMaps);
+        frame.results.images[key] = scene.image_passes.at(key)->make(pass);
+        device.state.apply({});
+    }
+    for (int i = 0; i < style_count(frame); ++i) {
+        const StyleItems& of_style = frame.view.plan.styles[i];
+        if (of_style.is_empty()) continue;
+        std::vector<DrawItem> items = opaque_items(of_style);
+        items.insert(items.end(), of_style.blended.begin(), of_style.blended.end());
+        StylePass pass = pass_of(frame, i, PassStage::images);
+        style_of(frame, i).images(pass, items);
+        device.state.apply({});
+    }
+}
+
+void draw_surfaces(const Frame& frame)
+{
+    frame.view.picture.bind();
+    frame.device.state.apply({});
+    frame.view.picture.clear(glm::vec4(frame.scene.light.background_linear, 1.0f));
+    draw_opaque(frame, PassStage::base, &StyleItems::base);
+    draw_opaque_faces(frame);
+    draw_opaque(frame, PassStage::over, &StyleItems::over);
+}
+
+void draw_lines(const Frame& frame)
+{
+    if (has_lines(frame.scene)) lay_line_depth(frame);
+    for (int i = 0; i < style_count(frame); ++i) {
+        const std::vector<DrawItem> items = opaque_items(frame.view.plan.styles[i]);
+        if (items.empty()) continue;
+        StylePass pass = pass_of(frame, i, PassStage::base);
+        style_of(frame, i).lines(pass, items);
+        frame.device.state.apply({});
+    }
+}
+
+void draw_blended(const Frame& frame)
+{
+    for (const StyleRun& run : frame.view.plan.blended_runs) {
+        StylePass pass = pass_of(frame, run.style, PassStage::blended);
+        style_of(frame, run.style).surfaces(pass, Layer::blended, run.items);
+        frame.device.state.apply({});
+        style_of(frame, run.style).lines(pass, run.items);
+        frame.device.state.apply({});
+    }
+}
+
+}  // namespace hw
