@@ -34,7 +34,8 @@ class GpuBuffer {
     std::size_t size_bytes_ = 0;
 };
 
-/// Where the vertex shader's inputs stand, in every program (see position.glsl, surface.vert, line.vert).
+/// Where the vertex shader's inputs stand, in every program: those of faces (surface.vert), then those of lines
+/// (lines/line.glsl), which have positions in common.
 enum class VertexInput : std::uint8_t {
     position,
     normal,
@@ -42,12 +43,17 @@ enum class VertexInput : std::uint8_t {
     uv0,
     uv1,
     colour,
-    other,
     lightmap_uv,
     hatch,
-    direction
+    direction,
+    line_other,
+    line_normal_a,
+    line_normal_b,
+    line_stroke,
+    line_fold,
+    line_crowding
 };
-inline constexpr int kVertexInputCount = 10;
+inline constexpr int kVertexInputCount = 15;
 
 /// One input's place in a buffer of floats.
 struct VertexStream {

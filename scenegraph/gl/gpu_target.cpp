@@ -31,8 +31,10 @@ void flip_rows(Pixels& pixels)
 
 }  // namespace
 
-GpuTarget::GpuTarget(const GpuTargetDesc& desc) : desc_(desc)
+// The default constructor has made a whole object: what is below may throw, and the destructor cleans up.
+GpuTarget::GpuTarget(const GpuTargetDesc& desc) : GpuTarget()
 {
+    desc_ = desc;
     glGenFramebuffers(1, &id_);
     glBindFramebuffer(GL_FRAMEBUFFER, id_);
     if (desc.samples > 1)

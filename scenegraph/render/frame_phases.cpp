@@ -81,8 +81,8 @@ void draw_images(const Frame& frame)
         if (!frame.view.plan.styles[i].is_empty())
             wanted.insert(scene.needs[i].images.begin(), scene.needs[i].images.end());
     const auto needs_of = [&](const ImageKey& key) -> const Needs* {
-        const auto found = scene.image_needs.find(key);
-        return found == scene.image_needs.end() ? nullptr : &found->second;
+        const auto found = scene.images.find(key);
+        return found == scene.images.end() ? nullptr : &found->second.needs;
     };
     const EngineImageInput input{&frame.view.camera, &frame.view.visible, scene.input.scene, scene.input.objects,
                                  scene.first_triangle};
@@ -93,7 +93,7 @@ void draw_images(const Frame& frame)
             continue;
         }
         StylePass pass(frame, PassStage::images, {}, kNoMaps);
-        frame.results.images[key] = scene.image_passes.at(key)->make(pass);
+        frame.results.images[key] = scene.images.at(key).pass->make(pass);
         device.state.apply({});
     }
     for (int i = 0; i < style_count(frame); ++i) {

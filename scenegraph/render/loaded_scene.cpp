@@ -22,6 +22,24 @@ SurfaceFeatures features_of(const std::vector<Light>& lights)
     return features;
 }
 
+std::vector<EdgeUse> edge_uses(std::span<const StyledObject> objects, std::span<const Needs> needs)
+{
+    std::vector<EdgeUse> uses(objects.size());
+    for (std::size_t object = 0; object < uses.size(); ++object) {
+        const StyledObject& look = objects[object];
+        EdgeUse& use = uses[object];
+        use.style = static_cast<std::uint32_t>((look.style + 1) * 65536 + look.over + 1);
+        for (const int style : {look.style, look.over}) {
+            if (style == kNone || !needs[style].edges) continue;
+            const float crease_rad = needs[style].edges->crease_rad;
+            use.crease_rad = use.is_used ? std::min(use.crease_rad, crease_rad) : crease_rad;
+            use.is_used = true;
+            use.with_intersections |= needs[style].edges->intersections;
+        }
+    }
+    return uses;
+}
+
 }  // namespace
 
 LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter)
@@ -47,18 +65,17 @@ LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode
     set_looks(std::move(input.styles), std::move(input.objects));
 }
 
-void LoadedScene::make_image_passes(const Needs& of_style, int depth)
+void LoadedScene::make_images(const Needs& by, int depth, std::map<ImageKey, NeededImage>& made) const
 {
-    for (const ImageKey& key : of_style.images) {
-        if (is_engine_image(key.pass) || image_passes.contains(key) || depth > kMaxImageDepth) continue;
-        std::unique_ptr<ImagePass> made = input.image_passes ? input.image_passes(key) : nullptr;
-        if (made == nullptr)
+    for (const ImageKey& key : by.images) {
+        if (is_engine_image(key.pass) || made.contains(key) || depth > kMaxImageDepth) continue;
+        NeededImage image{input.image_passes ? input.image_passes(key) : nullptr, {}};
+        if (image.pass == nullptr)
             throw Error({.what = "no image pass \"" + key.pass + "\"",
                          .expected = "an image pass plugin, normal_depth, object_ids or triangle_ids"});
-        const Needs own = made->needs();
-        make_image_passes(own, depth + 1);
-        image_needs[key] = own;
-        image_passes[key] = std::move(made);
+        image.needs = image.pass->needs();
+        make_images(image.needs, depth + 1, made);
+        made[key] = std::move(image);
     }
 }
 
@@ -66,40 +83,25 @@ void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledOb
 {
     std::vector<Needs> new_needs;
     std::vector<std::map<MapKind, int>> new_maps(styles.size());
+    std::map<ImageKey, NeededImage> new_images = images;
     for (std::size_t i = 0; i < styles.size(); ++i) {
         new_needs.push_back(styles[i].style->needs());
-        make_image_passes(new_needs[i], 0);
+        make_images(new_needs[i], 0, new_images);
         for (const auto& [kind, name] : new_needs[i].maps) {
             const auto found = input.named_maps.find(name.value);
             if (found != input.named_maps.end()) new_maps[i][kind] = found->second;
         }
     }
+    for (ObjectId object = 0; object < objects.size(); ++object)
+        for (const int style : {objects[object].style, objects[object].over})
+            if (style != kNone) gpu.mesh_of(object, new_needs[style].streams);
+    edges.prepare(edge_uses(objects, new_needs));
+    // Nothing below throws.
     needs = std::move(new_needs);
     style_maps = std::move(new_maps);
+    images = std::move(new_images);
     input.styles = std::move(styles);
     input.objects = std::move(objects);
-    edges.prepare(edge_uses());
-    for (ObjectId object = 0; object < input.objects.size(); ++object)
-        for (const int style : {input.objects[object].style, input.objects[object].over})
-            if (style != kNone) gpu.mesh_of(object, needs[style].streams);
-}
-
-std::vector<EdgeUse> LoadedScene::edge_uses() const
-{
-    std::vector<EdgeUse> uses(input.objects.size());
-    for (std::size_t object = 0; object < uses.size(); ++object) {
-        const StyledObject& look = input.objects[object];
-        EdgeUse& use = uses[object];
-        use.style = static_cast<std::uint32_t>((look.style + 1) * 65536 + look.over + 1);
-        for (const int style : {look.style, look.over}) {
-            if (style == kNone || !needs[style].edges) continue;
-            const float crease_rad = needs[style].edges->crease_rad;
-            use.crease_rad = use.is_used ? std::min(use.crease_rad, crease_rad) : crease_rad;
-            use.is_used = true;
-            use.with_intersections |= needs[style].edges->intersections;
-        }
-    }
-    return uses;
 }
 
 }  // namespace hw

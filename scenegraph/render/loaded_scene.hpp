@@ -12,6 +12,12 @@
 
 namespace hw {
 
+/// An image pass that is prepared, and what it reads itself.
+struct NeededImage {
+    std::shared_ptr<ImagePass> pass;
+    Needs needs;
+};
+
 /// Everything of one loaded scene: what was given, and what was made of it.
 struct LoadedScene {
     /// Throws hw::Error when the device cannot hold it, or a style asks for an image that nobody makes.
@@ -32,12 +38,11 @@ struct LoadedScene {
     std::vector<std::uint32_t> first_triangle;       ///< Of each object, in the numbering of triangle ids.
     std::vector<Needs> needs;                        ///< Of each style.
     std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.
-    std::map<ImageKey, std::unique_ptr<ImagePass>> image_passes;
-    std::map<ImageKey, Needs> image_needs;
+    std::map<ImageKey, NeededImage> images;          ///< What styles need, directly or by another image's needs.
 
  private:
-    void make_image_passes(const Needs& of_style, int depth);
-    std::vector<EdgeUse> edge_uses() const;
+    /// Adds to `made` the images that are needed and not in it yet.
+    void make_images(const Needs& by, int depth, std::map<ImageKey, NeededImage>& made) const;
 };
 
 }  // namespace hw

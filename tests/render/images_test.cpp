@@ -164,6 +164,32 @@ TEST_F(images, a_new_look_is_what_a_fresh_load_shows)
     EXPECT_EQ(draw(view).bytes, changed.bytes);
 }
 
+TEST_F(images, looks_with_a_need_that_fails_change_nothing)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, Material{});
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), at(2, 0, 0), Material{});
+    std::vector<std::string> made;
+    input_.image_passes = [&](const ImageKey& key) -> std::unique_ptr<ImagePass> {
+        made.push_back(key.pass);
+        if (key.pass != "inverted") return nullptr;
+        return std::make_unique<InvertingPass>(renderer_->program_cache(kShaders));
+    };
+    TestStyle ink(glm::vec3(1.0f));
+    ink.look = LineLook{};
+    ShowingStyle good({"inverted", {}});
+    ShowingStyle bad({"nobody_makes_this", {}});
+    const View view = view_from({1, 1, 5}, {1, 0, 0});
+    load(ink);
+    prepare(good);
+    const Pixels before = draw(view);
+    EXPECT_THROW(renderer_->set_looks({{"good", &good}, {"bad", &bad}}, {{.style = 0}, {.style = 1}}), Error);
+    EXPECT_EQ(draw(view).bytes, before.bytes);
+    EXPECT_EQ(stats_.images_made, 0);
+    renderer_->set_looks({{"good", &good}}, {{.style = 0}, {.style = 0}});
+    EXPECT_THAT(made, testing::ElementsAre("inverted", "nobody_makes_this", "inverted")) << "nothing was kept";
+    EXPECT_NE(draw(view).bytes, before.bytes);
+}
+
 TEST_F(images, a_saved_shader_shows_and_a_broken_one_keeps_the_last_good)
 {
     const TemporaryFolder temporary;

@@ -253,6 +253,7 @@ GpuMaterial GpuScene::upload(const Material& material)
 {
     namespace f = surface_feature;
     GpuMaterial gpu;
+    gpu.facts = &material;
     const auto take = [&](const TextureUse& use, bool is_srgb, int bit) {
         const std::uint32_t id = texture(use, is_srgb);
         if (id != 0) gpu.features |= static_cast<SurfaceFeatures>(use.uv_set == 1 ? 2 : 1) << bit;

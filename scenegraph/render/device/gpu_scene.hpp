@@ -30,6 +30,7 @@ struct GpuMesh {
 
 /// A material on the device: ids of textures, 0 where there is none.
 struct GpuMaterial {
+    const Material* facts = nullptr;
     SurfaceFeatures features = 0;
     std::uint32_t base_colour = 0;
     std::uint32_t metallic_roughness = 0;

@@ -61,10 +61,9 @@ void set_uniforms(const GpuProgram& program, const Uniforms& uniforms, GpuState&
 void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges)
 {
     const LinkedProgram* last = nullptr;
-    const Material* last_material = nullptr;
+    const GpuMaterial* last_material = nullptr;
     for (const SurfaceItem& item : items) {
         if (item.object->range_count == 0) continue;
-        const Material& material = *item.item->material;
         const StreamMesh streamed = scene_.mesh_of(item.object->object, run.streams);
         const GpuMesh& mesh = *streamed.mesh;
         const GpuMaterial& gpu_material = scene_.material_of(item.object->object);
@@ -84,8 +83,8 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
         state_.bind(mesh.array);
         set_object(*program, item, run.time_s);
         GpuProgram::set(program->at.hatch_scale, glm::vec2(mesh.metres_per_uv, 1.0f) * item.object->scale);
-        if (&material != last_material) set_material(*program, *item.item, gpu_material);
-        last_material = &material;
+        if (&gpu_material != last_material) set_material(*program, gpu_material);
+        last_material = &gpu_material;
         set_maps(*program, item);
         set_lightmap(*program, run.lightmap, item.object->object);
         draw_ranges(item, ranges);
@@ -106,7 +105,7 @@ void SurfaceDrawer::draw_depth(const PipelineState& state, std::span<const Surfa
         apply_faces(depth_state, item);
         state_.bind(mesh.array);
         GpuProgram::set(program.at.clip_from_object, item.object->clip_from_object);
-        if (features != 0) set_material(program, *item.item, gpu_material);
+        if (features != 0) set_material(program, gpu_material);
         draw_ranges(item, ranges, queries);
     }
 }
@@ -114,7 +113,7 @@ void SurfaceDrawer::draw_depth(const PipelineState& state, std::span<const Surfa
 void SurfaceDrawer::apply_faces(PipelineState state, const SurfaceItem& item)
 {
     state.is_front_clockwise = item.object->facing < 0.0f;
-    if (item.item->material->is_double_sided) state.culling = Culling::off;
+    if (scene_.material_of(item.object->object).facts->is_double_sided) state.culling = Culling::off;
     state_.apply(state);
 }
 
@@ -139,10 +138,10 @@ void SurfaceDrawer::set_object(const LinkedProgram& program, const SurfaceItem& 
     set_presence(at.presence_height, at.presence_inverted, *item.item, time_s);
 }
 
-void SurfaceDrawer::set_material(const LinkedProgram& program, const DrawItem& item, const GpuMaterial& gpu_material)
+void SurfaceDrawer::set_material(const LinkedProgram& program, const GpuMaterial& gpu_material)
 {
     const SurfaceLocations& at = program.at;
-    const Material& material = *item.material;
+    const Material& material = *gpu_material.facts;
     GpuProgram::set(at.base_colour_factor, material.base_colour);
     GpuProgram::set(at.mean_colour, gpu_material.mean_colour);
     GpuProgram::set(at.material_factors, glm::vec4(material.metallic, material.roughness, material.alpha_cutoff,

@@ -23,9 +23,9 @@ struct ItemMaps {
 /// What an object's look names, and where it names none of a kind, what its style does.
 ItemMaps choose_maps(const std::map<MapKind, int>& of_object, const std::map<MapKind, int>& of_style);
 
-/// An item whose faces are drawn, where its object stands, and its maps.
+/// An object whose faces are drawn, as which item, where it stands, and its maps.
 struct SurfaceItem {
-    const DrawItem* item = nullptr;
+    const DrawItem* item = nullptr;  ///< May be null for depth alone.
     const VisibleObject* object = nullptr;
     ItemMaps maps;
 };
@@ -42,7 +42,7 @@ struct SurfaceRun {
     const GpuLightmap* lightmap = nullptr;  ///< Null: the run reads no baked light.
 };
 
-/// Draws objects' faces with programs made for surface.vert.
+/// Draws objects' faces, the one way for all: styles, depth, shadow maps and images.
 class SurfaceDrawer {
  public:
     SurfaceDrawer(ProgramStore& programs, GpuState& state, GpuScene& scene)
@@ -60,7 +60,7 @@ class SurfaceDrawer {
     void apply_faces(PipelineState state, const SurfaceItem& item);
     void draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges, GpuQueries* queries = nullptr);
     void set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s);
-    void set_material(const LinkedProgram& program, const DrawItem& item, const GpuMaterial& material);
+    void set_material(const LinkedProgram& program, const GpuMaterial& gpu_material);
     void set_lightmap(const LinkedProgram& program, const GpuLightmap* lightmap, ObjectId object);
     void set_maps(const LinkedProgram& program, const SurfaceItem& item);
 

@@ -1,6 +1,7 @@
 #include "hatchway/render/lines/edge_store.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "hatchway/core/progress.hpp"
 #include "hatchway/geometry/lines/intersections.hpp"
@@ -28,8 +29,17 @@ const Surface& EdgeStore::surface_of(const MeshKey& key)
 
 void EdgeStore::prepare(std::span<const EdgeUse> uses)
 {
-    objects_.clear();
-    objects_.resize(scene_.objects.size());
+    std::vector<ObjectEdges> before = std::exchange(objects_, std::vector<ObjectEdges>(scene_.objects.size()));
+    try {
+        find_edges(uses);
+    } catch (...) {
+        objects_ = std::move(before);
+        throw;
+    }
+}
+
+void EdgeStore::find_edges(std::span<const EdgeUse> uses)
+{
     const auto used = static_cast<std::uint64_t>(
         std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.is_used; }));
     if (used == 0) return;

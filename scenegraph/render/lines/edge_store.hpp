@@ -26,7 +26,7 @@ class EdgeStore {
     /// Both must outlive the store.
     EdgeStore(const Scene& scene, LineIndices& indices);
 
-    /// Builds what `uses` (one for each object) asks for and is not there yet.
+    /// Builds what `uses` (one for each object) asks for and is not there yet. When it throws, all stays as it was.
     void prepare(std::span<const EdgeUse> uses);
 
     /// Null where prepare() was not asked for the object.
@@ -58,6 +58,7 @@ class EdgeStore {
 
     MeshKey key_of(ObjectId object) const;
     const Surface& surface_of(const MeshKey& key);
+    void find_edges(std::span<const EdgeUse> uses);
     void find_lines(std::span<const EdgeUse> uses);
     Intersections find_object_intersections(std::span<const EdgeUse> uses, std::span<const ObjectId> ids) const;
     void assign_lines(ObjectId object, const EdgeUse& use, const LineExtras& extras);

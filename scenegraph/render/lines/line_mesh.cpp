@@ -160,12 +160,12 @@ LineBuffer make_line_buffer(const LineIndices& indices)
                             .offset_bytes = offset};
     };
     const std::array streams = {stream(VertexInput::position, 3, offsetof(LineVertex, position)),
-                                stream(VertexInput::other, 4, offsetof(LineVertex, other)),
-                                stream(VertexInput::normal, 3, offsetof(LineVertex, normal_a)),
-                                stream(VertexInput::tangent, 3, offsetof(LineVertex, normal_b)),
-                                stream(VertexInput::uv0, 4, offsetof(LineVertex, stroke)),
-                                stream(VertexInput::uv1, 1, offsetof(LineVertex, fold_rad)),
-                                stream(VertexInput::colour, 4, offsetof(LineVertex, crowding))};
+                                stream(VertexInput::line_other, 4, offsetof(LineVertex, other)),
+                                stream(VertexInput::line_normal_a, 3, offsetof(LineVertex, normal_a)),
+                                stream(VertexInput::line_normal_b, 3, offsetof(LineVertex, normal_b)),
+                                stream(VertexInput::line_stroke, 4, offsetof(LineVertex, stroke)),
+                                stream(VertexInput::line_fold, 1, offsetof(LineVertex, fold_rad)),
+                                stream(VertexInput::line_crowding, 4, offsetof(LineVertex, crowding))};
     buffer.as_quads = GpuVertexArray(streams, &indices.quads());
     buffer.as_ends = GpuVertexArray(streams, &indices.ends());
     return buffer;

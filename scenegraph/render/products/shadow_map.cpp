@@ -18,20 +18,21 @@ constexpr PipelineState kCasterState{.depth_test = DepthTest::less,
                                      .offset_factor = 1.0f,
                                      .offset_units = 1.0f};
 
-void draw_caster(const Scene& scene, GpuScene& gpu_scene, ObjectId id, const glm::dmat4& clip_from_world,
-                 const LinkedProgram& program, GpuState& state)
+/// Every opaque or masked object, whole, as the light sees it.
+VisibleSet casters_of(const Scene& scene, const GpuScene& gpu_scene, const glm::dmat4& clip_from_world)
 {
-    const Object& object = scene.objects[id];
-    const Material& material = scene.materials[object.material];
-    const GpuMesh& mesh = gpu_scene.mesh(object.mesh);
-    state.use(program.gpu);
-    state.bind(mesh.array);
-    GpuProgram::set(program.at.clip_from_object, glm::mat4(clip_from_world * scene.world_from_object(id)));
-    GpuProgram::set(program.at.base_colour_factor, material.base_colour);
-    GpuProgram::set(program.at.material_factors, glm::vec4(0.0f, 0.0f, material.alpha_cutoff, 0.0f));
-    GpuProgram::set(program.at.base_colour_uv, material.base_colour_texture.uv_transform);
-    state.bind_texture(program.at.unit_base_colour, gpu_scene.material(object.material).base_colour);
-    state.draw_indexed(Primitive::triangles, 0, mesh.index_count);
+    VisibleSet casters;
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        if (gpu_scene.material_of(id).facts->alpha_mode == AlphaMode::blend) continue;
+        VisibleObject caster;
+        caster.object = id;
+        caster.clip_from_object = glm::mat4(clip_from_world * scene.world_from_object(id));
+        caster.first_range = static_cast<std::uint32_t>(casters.ranges.size());
+        caster.range_count = 1;
+        casters.objects.push_back(caster);
+        casters.ranges.push_back({0, gpu_scene.mesh_of(id).index_count});
+    }
+    return casters;
 }
 
 }  // namespace
@@ -59,14 +60,10 @@ void ShadowMap::prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLigh
     target_.bind();
     state.apply(kCasterState);
     target_.clear_depth();
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const Object& object = scene.objects[id];
-        if (scene.materials[object.material].alpha_mode == AlphaMode::blend) continue;
-        const SurfaceFeatures features =
-            mask_features(gpu_scene.mesh(object.mesh), gpu_scene.material(object.material));
-        const LinkedProgram& program = programs.engine("surface.vert", "depth.frag", feature_defines(features));
-        draw_caster(scene, gpu_scene, id, clip_from_world, program, state);
-    }
+    const VisibleSet casters = casters_of(scene, gpu_scene, clip_from_world);
+    std::vector<SurfaceItem> items;
+    for (const VisibleObject& caster : casters.objects) items.push_back({nullptr, &caster, {}});
+    SurfaceDrawer(programs, state, gpu_scene).draw_depth(kCasterState, items, casters.ranges);
     const glm::dmat4 unit_from_clip =
         glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
     frame_.is_drawn = true;

@@ -4,11 +4,11 @@
 #include "presence.glsl"
 
 in vec3 hw_in_position;
-in vec4 hw_in_other;  // xyz the other end, w class
-in vec3 hw_in_normal;   // of the faces beside the line; zero: drawn whatever they do
-in vec3 hw_in_tangent;
-in float hw_in_uv1;  // the fold at the line, radians
-in vec4 hw_in_colour;  // how crowded lines are here: LineCrowding
+in vec4 hw_in_line_other;     // xyz the other end, w class
+in vec3 hw_in_line_normal_a;  // of the faces beside the line; zero: drawn whatever they do
+in vec3 hw_in_line_normal_b;
+in float hw_in_line_fold;     // at the line, radians
+in vec4 hw_in_line_crowding;  // how crowded lines are here: LineCrowding
 
 uniform mat4 hw_relative_from_object;
 uniform vec3 hw_line_eye_object;
@@ -24,9 +24,9 @@ uniform vec2 hw_line_taper;         // x strength, y from metres
 // agree; near ties are drawn.
 bool hw_line_is_culled()
 {
-    vec3 to_eye = hw_line_eye_object - 0.5 * (hw_in_position + hw_in_other.xyz);
+    vec3 to_eye = hw_line_eye_object - 0.5 * (hw_in_position + hw_in_line_other.xyz);
     float tie = -1e-4 * length(to_eye);
-    return dot(hw_in_normal, to_eye) < tie && dot(hw_in_tangent, to_eye) < tie;
+    return dot(hw_in_line_normal_a, to_eye) < tie && dot(hw_in_line_normal_b, to_eye) < tie;
 }
 
 // Silhouettes and borders: the surface ends or turns away there.
@@ -37,17 +37,17 @@ float hw_crowded_share(float windows)
 {
     float scale = 0.5 * log2(max(windows, 1e-20));
     int upper = clamp(int(ceil(scale)), 0, 3);
-    float least = upper > 0 ? hw_in_colour[upper - 1] : 0.0;
-    float slope = upper > 0 ? max(hw_in_colour[upper] - least, 2.0) : 2.0;
-    return exp2(-max(least, hw_in_colour[upper] + slope * (scale - float(upper))));
+    float least = upper > 0 ? hw_in_line_crowding[upper - 1] : 0.0;
+    float slope = upper > 0 ? max(hw_in_line_crowding[upper] - least, 2.0) : 2.0;
+    return exp2(-max(least, hw_in_line_crowding[upper] + slope * (scale - float(upper))));
 }
 
 // 1 where both faces beside the line look at the eye: it is drawn inside of the object. 0 where it is an outline now, or
 // faces are not known. A line that turns from the one to the other does so over some degrees.
 float hw_line_is_inside()
 {
-    vec3 to_eye = hw_line_eye_object - 0.5 * (hw_in_position + hw_in_other.xyz);
-    float facing = min(dot(hw_in_normal, to_eye), dot(hw_in_tangent, to_eye)) / max(length(to_eye), 1e-20);
+    vec3 to_eye = hw_line_eye_object - 0.5 * (hw_in_position + hw_in_line_other.xyz);
+    float facing = min(dot(hw_in_line_normal_a, to_eye), dot(hw_in_line_normal_b, to_eye)) / max(length(to_eye), 1e-20);
     return smoothstep(0.0, 0.2, facing);
 }
 
@@ -69,7 +69,7 @@ float hw_line_width_at(int line_class, vec3 relative)
     float distance_m = length(relative);
     float width = hw_line_width_px[line_class];
     if (line_class == 1 || line_class == 2) {
-        float fold = clamp((hw_in_uv1 - hw_line_fold.y) / max(hw_line_fold.z - hw_line_fold.y, 1e-6), 0.0, 1.0);
+        float fold = clamp((hw_in_line_fold - hw_line_fold.y) / max(hw_line_fold.z - hw_line_fold.y, 1e-6), 0.0, 1.0);
         width *= mix(1.0, mix(0.25, 1.0, fold), hw_line_fold.x);
     }
     if (hw_line_taper.x > 0.0 && distance_m > hw_line_taper.y)

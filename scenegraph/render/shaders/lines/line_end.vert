@@ -11,7 +11,7 @@ flat out vec4 hw_v_line_colour;  // w: diameter of the end in pixels
 void main()
 {
     hw_set_position(hw_in_position);
-    int line_class = int(hw_in_other.w + 0.5);
+    int line_class = int(hw_in_line_other.w + 0.5);
     float widest = hw_line_width_px[line_class];
     vec3 relative = (hw_relative_from_object * vec4(hw_in_position, 1.0)).xyz;
     hw_v_height = relative.y + hw_eye_world.y;
@@ -19,7 +19,7 @@ void main()
     hw_v_line_colour = vec4(hw_line_colour[line_class], widest);
     gl_PointSize = widest + 1.0;
     hw_v_middle = gl_Position;
-    vec4 other = hw_clip_from_object * vec4(hw_in_other.xyz, 1.0);
+    vec4 other = hw_clip_from_object * vec4(hw_in_line_other.xyz, 1.0);
     vec2 way = (other.xy * gl_Position.w - gl_Position.xy * other.w) * hw_size_px;
     hw_v_aside = hw_line_is_contour(line_class) * vec2(-way.y, way.x) / max(length(way), 1e-20);
     if (hw_line_is_culled()) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

@@ -8,7 +8,7 @@ flat out vec4 hw_v_line_way;  // x length in pixels, yz direction, w slope of de
 flat out highp vec2 hw_v_line_depth;  // x at its beginning, y 1 for contours
 flat out vec3 hw_v_line_colour;
 #ifdef HW_STROKE
-in vec4 hw_in_uv0;  // length along the stroke at this end and at the other, of the stroke, seed
+in vec4 hw_in_line_stroke;  // length along the stroke at this end and at the other, of the stroke, seed
 uniform vec4 hw_stroke_px;  // as in line_stroke.glsl
 flat out highp vec4 hw_v_stroke;
 flat out highp vec4 hw_v_stroke_whole;
@@ -19,16 +19,16 @@ flat out highp vec3 hw_v_stroke_to;
 // the line is cut away at this end and at the other.
 void hw_set_stroke(vec2 cut, float own_w, float other_w, bool is_begin)
 {
-    vec2 arc = mix(hw_in_uv0.xy, hw_in_uv0.yx, cut) / vec2(own_w, other_w);
-    vec3 own = mix(hw_in_position, hw_in_other.xyz, cut.x) / own_w;
-    vec3 other = mix(hw_in_other.xyz, hw_in_position, cut.y) / other_w;
-    float whole = hw_in_uv0.z;
+    vec2 arc = mix(hw_in_line_stroke.xy, hw_in_line_stroke.yx, cut) / vec2(own_w, other_w);
+    vec3 own = mix(hw_in_position, hw_in_line_other.xyz, cut.x) / own_w;
+    vec3 other = mix(hw_in_line_other.xyz, hw_in_position, cut.y) / other_w;
+    float whole = hw_in_line_stroke.z;
     // Some ends run on farther than others.
-    vec2 spread = 0.4 + 0.6 * fract(hw_in_uv0.w * vec2(7.31, 3.17) + hw_in_uv0.xy * 1.618);
-    vec2 is_end = whole > 0.0 ? vec2(lessThan(min(hw_in_uv0.xy, whole - hw_in_uv0.xy), vec2(1e-5 * whole))) : vec2(0.0);
+    vec2 spread = 0.4 + 0.6 * fract(hw_in_line_stroke.w * vec2(7.31, 3.17) + hw_in_line_stroke.xy * 1.618);
+    vec2 is_end = whole > 0.0 ? vec2(lessThan(min(hw_in_line_stroke.xy, whole - hw_in_line_stroke.xy), vec2(1e-5 * whole))) : vec2(0.0);
     vec2 beyond = hw_stroke_px.z * spread * is_end * vec2(equal(cut, vec2(0.0)));
     hw_v_stroke = is_begin ? vec4(arc, 1.0 / own_w, 1.0 / other_w) : vec4(arc.yx, 1.0 / other_w, 1.0 / own_w);
-    hw_v_stroke_whole = vec4(whole, hw_in_uv0.w, is_begin ? beyond : beyond.yx);
+    hw_v_stroke_whole = vec4(whole, hw_in_line_stroke.w, is_begin ? beyond : beyond.yx);
     hw_v_stroke_from = is_begin ? own : other;
     hw_v_stroke_to = is_begin ? other : own;
 }
@@ -50,10 +50,10 @@ void main()
 {
     hw_set_position(hw_in_position);
     vec4 own = gl_Position;
-    vec4 other = hw_clip_from_object * vec4(hw_in_other.xyz, 1.0);
+    vec4 other = hw_clip_from_object * vec4(hw_in_line_other.xyz, 1.0);
     vec4 own_unclipped = own;
     vec4 other_unclipped = other;
-    int line_class = int(hw_in_other.w + 0.5);
+    int line_class = int(hw_in_line_other.w + 0.5);
     hw_v_line_colour = hw_line_colour[line_class];
     hw_v_line = vec3(0.0);
     hw_v_line_height = vec2(0.0);
@@ -67,7 +67,7 @@ void main()
     vec3 relative = (hw_relative_from_object * vec4(hw_in_position, 1.0)).xyz;
     if (own != own_unclipped) {
         float share = distance(own, own_unclipped) / max(distance(other, own_unclipped), 1e-20);
-        relative = mix(relative, (hw_relative_from_object * vec4(hw_in_other.xyz, 1.0)).xyz, share);
+        relative = mix(relative, (hw_relative_from_object * vec4(hw_in_line_other.xyz, 1.0)).xyz, share);
     }
     float width = hw_line_width_at(line_class, relative);
     float widest = hw_line_width_px[line_class];
