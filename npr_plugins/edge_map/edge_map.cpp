@@ -6,6 +6,7 @@
 
 namespace {
 
+enum class Operator { diagonal, c1 };
 constexpr std::array<std::string_view, 2> kOperators{"diagonal", "c1"};
 
 class EdgeMap final : public hw::ImagePass {
@@ -30,7 +31,7 @@ class EdgeMap final : public hw::ImagePass {
 
     void prepare(hw::ProgramCache& programs) override
     {
-        program_ = programs.full_screen("edge_map.frag", operator_ == 1 ? "#define OPERATOR_C1 1\n" : "");
+        program_ = programs.full_screen("edge_map.frag", operator_ == Operator::c1 ? "#define OPERATOR_C1 1\n" : "");
     }
 
     hw::Image make(hw::Pass& pass) override
@@ -44,7 +45,7 @@ class EdgeMap final : public hw::ImagePass {
     }
 
  private:
-    int operator_ = 0;
+    Operator operator_ = Operator::diagonal;
     float depth_scale_ = 30.0f;
     float width_px_ = 0.75f;
     hw::Program program_;

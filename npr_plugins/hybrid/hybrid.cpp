@@ -5,9 +5,8 @@
 
 namespace {
 
-enum Gradient { kNone, kHeight, kObject };
+enum class Gradient { none, height, object };
 constexpr std::array<std::string_view, 3> kGradients{"none", "height", "object"};
-constexpr float kDegree = 0.017453293f;
 
 class Hybrid final : public hw::Style {
  public:
@@ -25,9 +24,9 @@ class Hybrid final : public hw::Style {
         visitor.colour({"tint", "Colour of the ink's paper: a free variable of the presentation, such as certainty."},
                        tint_);
         visitor.colour({"ink_colour", "Colour of lines."}, ink_);
-        visitor.real(
+        visitor.angle(
             {"crease_deg", "Edges folded by more than this are drawn from every viewpoint.", hw::ParamChange::rebuild},
-            crease_deg_, 1.0f, 180.0f);
+            crease_rad_, 1.0f, 180.0f);
         visitor.real({"line_width_px", "Width of lines."}, line_width_px_, 0.0f, 16.0f);
         visitor.real({"line_presence", "Share of the lines where the object is photoreal."}, line_presence_, 0.0f,
                      1.0f);
@@ -38,8 +37,7 @@ class Hybrid final : public hw::Style {
     hw::Needs needs() const override
     {
         hw::Needs needs;
-        needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree};
-        needs.streams.tangent = true;
+        needs.edges = hw::EdgeNeed{.crease_rad = crease_rad_};
         ink_look_.add_needs(needs);
         needs.shadow = hw::ShadowNeed::main_light;
         needs.lightmap = true;
@@ -51,12 +49,12 @@ class Hybrid final : public hw::Style {
         program_ = programs.surface("hybrid.frag", "#define TONE_SHADED 1\n#define MATERIAL_COLOUR 1\n");
     }
 
-    void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
+    void surfaces(hw::Pass& pass, hw::Items items) override
     {
         for (const hw::DrawItem& item : items) {
             const Range range = range_of(item);
             hw::Uniforms uniforms;
-            uniforms.set("ink_range", glm::vec3(range.from_m, range.to_m, gradient_ == kNone ? 0.0f : 1.0f))
+            uniforms.set("ink_range", glm::vec3(range.from_m, range.to_m, gradient_ == Gradient::none ? 0.0f : 1.0f))
                 .set("ink_weight", ink_weight_)
                 .set("shade", 0.0f)
                 .set("ink_fade", glm::vec3(0.0f));
@@ -65,16 +63,14 @@ class Hybrid final : public hw::Style {
         }
     }
 
-    void lines(hw::Pass& pass, std::span<const hw::DrawItem> items) override
+    void lines(hw::Pass& pass, hw::Items items) override
     {
         hw::LineLook look;
-        look.width_px.fill(line_width_px_);
-        look.colour.fill(ink_);
-        look.crease_rad = crease_deg_ * kDegree;
+        look.all({line_width_px_, ink_});
         look.far = far_;
         for (const hw::DrawItem& item : items) {
             hw::DrawItem faded = item;
-            if (gradient_ != kNone && line_presence_ < 1.0f && !item.is_presence_inverted) {
+            if (gradient_ != Gradient::none && line_presence_ < 1.0f && !item.is_presence_inverted) {
                 // Lines are there from where ink begins: a drawing needs its outlines before its hatching.
                 const Range range = range_of(item);
                 faded.presence.has_height = true;
@@ -93,16 +89,16 @@ class Hybrid final : public hw::Style {
 
     Range range_of(const hw::DrawItem& item) const
     {
-        if (gradient_ != kObject || item.bounds_world.is_empty()) return {from_m_, to_m_};
+        if (gradient_ != Gradient::object || item.bounds_world.is_empty()) return {from_m_, to_m_};
         const double foot = item.bounds_world.min.y;
         const double height = item.bounds_world.size().y;
         return {static_cast<float>(foot + from_m_ * height), static_cast<float>(foot + to_m_ * height)};
     }
 
     float ink_weight_ = 1.0f, from_m_ = 0.25f, to_m_ = 0.75f;
-    int gradient_ = kObject;
+    Gradient gradient_ = Gradient::object;
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f};
-    float crease_deg_ = 40.0f, line_width_px_ = 1.4f, line_presence_ = 0.0f;
+    float crease_rad_ = glm::radians(40.0f), line_width_px_ = 1.4f, line_presence_ = 0.0f;
     hw::FarPolicy far_;
     hw::InkLook ink_look_;
     hw::Program program_;

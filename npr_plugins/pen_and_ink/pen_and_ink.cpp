@@ -5,12 +5,11 @@
 
 namespace {
 
-enum Tone { kNoTone, kPlain, kShaded, kHalftone };
-enum Fade { kNoFade, kHeight, kObject };
+enum class Tone { none, plain, shaded, halftone };
+enum class Fade { none, height, object };
 constexpr std::array<std::string_view, 4> kTones{"none", "plain", "shaded", "halftone"};
 constexpr std::array<std::string_view, 3> kFades{"none", "height", "object"};
 constexpr const char* kHalftoneMap = "halftone";
-constexpr float kDegree = 0.017453293f;
 
 class PenAndInk final : public hw::Style {
  public:
@@ -48,13 +47,13 @@ class PenAndInk final : public hw::Style {
     hw::Needs needs() const override
     {
         hw::Needs needs;
-        needs.edges = hw::EdgeNeed{.crease_rad = crease_deg_ * kDegree, .intersections = intersection_width_px_ > 0.0f};
+        needs.edges = hw::EdgeNeed{.crease_rad = crease_rad_, .intersections = intersection_width_px_ > 0.0f};
         ink_look_.add_needs(needs);
         needs.shadow = is_shaded() || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
         needs.lightmap = needs.shadow != hw::ShadowNeed::none;
-        if (tone_ == kPlain && !hatch_.value.empty()) needs.maps[hw::MapKind::hatch] = hatch_;
+        if (tone_ == Tone::plain && !hatch_.value.empty()) needs.maps[hw::MapKind::hatch] = hatch_;
         if (is_shaded() && !tonal_.value.empty()) needs.maps[hw::MapKind::tonal] = tonal_;
-        if (tone_ == kHalftone && tonal_.value.empty()) needs.maps[hw::MapKind::tonal] = hw::MapName{kHalftoneMap};
+        if (tone_ == Tone::halftone && tonal_.value.empty()) needs.maps[hw::MapKind::tonal] = hw::MapName{kHalftoneMap};
         if (!ink_map_.value.empty()) needs.maps[hw::MapKind::ink] = ink_map_;
         return needs;
     }
@@ -62,16 +61,16 @@ class PenAndInk final : public hw::Style {
     void prepare(hw::ProgramCache& programs) override
     {
         std::string defines;
-        if (tone_ == kPlain) defines += "#define TONE_PLAIN 1\n";
+        if (tone_ == Tone::plain) defines += "#define TONE_PLAIN 1\n";
         if (is_shaded()) defines += "#define TONE_SHADED 1\n";
-        if (tone_ == kHalftone) defines += "#define TONE_HALFTONE 1\n";
+        if (tone_ == Tone::halftone) defines += "#define TONE_HALFTONE 1\n";
         if (ink_look_.has_material_colour()) defines += "#define MATERIAL_COLOUR 1\n";
         program_ = programs.surface("pen_and_ink.frag", defines);
     }
 
-    void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
+    void surfaces(hw::Pass& pass, hw::Items items) override
     {
-        if (fade_ != kObject) {
+        if (fade_ != Fade::object) {
             draw(pass, {fade_from_m_, fade_to_m_}, items);
             return;
         }
@@ -82,42 +81,38 @@ class PenAndInk final : public hw::Style {
         }
     }
 
-    void lines(hw::Pass& pass, std::span<const hw::DrawItem> items) override
+    void lines(hw::Pass& pass, hw::Items items) override
     {
         using hw::LineClass;
         hw::LineLook look;
-        look.width_px.fill(line_width_px_);
-        look.width_px[int(LineClass::silhouette)] = silhouette_width_px_;
-        look.width_px[int(LineClass::border)] = border_width_px_;
-        look.width_px[int(LineClass::valley)] = valley_width_px_;
-        look.width_px[int(LineClass::intersection)] = intersection_width_px_;
-        look.colour.fill(crease_colour_);
-        look.colour[int(LineClass::silhouette)] = look.colour[int(LineClass::border)] = ink_;
-        look.colour[int(LineClass::intersection)] = ink_;
+        look.all({line_width_px_, crease_colour_});
+        look[LineClass::valley].width_px = valley_width_px_;
+        look[LineClass::silhouette] = {silhouette_width_px_, ink_};
+        look[LineClass::border] = {border_width_px_, ink_};
+        look[LineClass::intersection] = {intersection_width_px_, ink_};
         look.fold_weight = fold_weight_;
         look.stroke = stroke_;
-        look.crease_rad = crease_deg_ * kDegree;
         look.depth_taper = depth_taper_;
         look.far = far_;
         pass.lines(look, items);
     }
 
  private:
-    bool is_shaded() const { return tone_ == kShaded || tone_ == kHalftone; }
+    bool is_shaded() const { return tone_ == Tone::shaded || tone_ == Tone::halftone; }
 
-    void draw(hw::Pass& pass, const glm::vec2& fade, std::span<const hw::DrawItem> items)
+    void draw(hw::Pass& pass, const glm::vec2& fade, hw::Items items)
     {
         hw::Uniforms uniforms;
-        uniforms.set("shade", shade_).set("ink_fade", glm::vec3(fade, fade_ == kNoFade ? 0.0f : 1.0f));
+        uniforms.set("shade", shade_).set("ink_fade", glm::vec3(fade, fade_ == Fade::none ? 0.0f : 1.0f));
         ink_look_.set_uniforms(uniforms, paper_);
         pass.surfaces(program_, uniforms, items);
     }
 
     void visit_lines(hw::ParamVisitor& visitor)
     {
-        visitor.real(
+        visitor.angle(
             {"crease_deg", "Edges folded by more than this are drawn from every viewpoint.", hw::ParamChange::rebuild},
-            crease_deg_, 1.0f, 180.0f);
+            crease_rad_, 1.0f, 180.0f);
         visitor.real({"line_width_px", "Width of ridges and of edges that the artist marked."}, line_width_px_, 0.0f,
                      16.0f);
         visitor.real({"valley_width_px", "Width of creases that fold inward."}, valley_width_px_, 0.0f, 16.0f);
@@ -144,13 +139,14 @@ class PenAndInk final : public hw::Style {
         far_.visit_params(visitor);
     }
 
-    float crease_deg_ = 40.0f, depth_taper_ = 0.0f, fold_weight_ = 0.0f;
+    float crease_rad_ = glm::radians(40.0f), depth_taper_ = 0.0f, fold_weight_ = 0.0f;
     float line_width_px_ = 1.2f, valley_width_px_ = 1.2f, silhouette_width_px_ = 1.9f, border_width_px_ = 1.9f;
     float intersection_width_px_ = 1.2f;
     hw::StrokeCharacter stroke_;
     glm::vec3 crease_colour_{0.07f, 0.06f, 0.06f};
     hw::FarPolicy far_;
-    int tone_ = kShaded, fade_ = kNoFade;
+    Tone tone_ = Tone::shaded;
+    Fade fade_ = Fade::none;
     float fade_from_m_ = 0.5f, fade_to_m_ = 1.0f, shade_ = 0.0f;
     glm::vec3 paper_{1.0f}, ink_{0.07f, 0.06f, 0.06f};
     hw::InkLook ink_look_;

@@ -18,7 +18,6 @@ class Photoreal final : public hw::Style {
     hw::Needs needs() const override
     {
         hw::Needs needs;
-        needs.streams.tangent = true;
         needs.lightmap = true;
         needs.shadow = has_shadows_ ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
         return needs;
@@ -26,7 +25,7 @@ class Photoreal final : public hw::Style {
 
     void prepare(hw::ProgramCache& programs) override { program_ = programs.surface("photoreal.frag"); }
 
-    void surfaces(hw::Pass& pass, hw::Layer, std::span<const hw::DrawItem> items) override
+    void surfaces(hw::Pass& pass, hw::Items items) override
     {
         hw::Uniforms uniforms;
         uniforms.set("brightness", brightness_).set("saturation", saturation_).set("tint", hw::linear_colour(tint_));

@@ -132,9 +132,9 @@ void LevelLines::append_groups(VectorObject& object, std::span<const VisibleLine
     for (const ObjectLineLook& pen : pens_[first.object]) {
         VectorGroup group{.line_type = line_class_name(first.line_class),
                           .is_hidden = !first.is_visible,
-                          .width_px = pen.look.width_px[index] * share,
+                          .width_px = pen.look.pens[index].width_px * share,
                           .opacity = first.is_visible ? 1.0 : kHiddenOpacity,
-                          .colour_srgb = pen.look.colour[index]};
+                          .colour_srgb = pen.look.pens[index].colour};
         for (const VisibleLine& line : lines) {
             for (VectorLine& piece : widths.pieces(line, pen, inked_[first.object])) {
                 piece.width_px *= share;

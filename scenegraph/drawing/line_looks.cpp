@@ -14,11 +14,12 @@ class LookRecorder final : public Pass {
     }
 
     const View& view() const override { return view_; }
+    Layer layer() const override { return Layer::opaque; }
     Image image(const ImageKey&) const override { return {}; }
-    Image render(const TargetDesc&, Program, const Uniforms&, std::span<const DrawItem>) override { return {}; }
+    Image render(const TargetDesc&, Program, const Uniforms&, Items) override { return {}; }
     Image filter(const TargetDesc&, Program, const Uniforms&) override { return {}; }
-    void surfaces(Program, const Uniforms&, std::span<const DrawItem>) override {}
-    void lines(const LineLook& look, std::span<const DrawItem> items) override
+    void surfaces(Program, const Uniforms&, Items) override {}
+    void lines(const LineLook& look, Items items) override
     {
         for (const DrawItem& item : items)
             pens_[item.object].looks.push_back(

@@ -125,9 +125,9 @@ double LineWidths::width_at(const ImagePoint& point, std::uint32_t edge, LineCla
 {
     const LineLook& look = pen.look;
     const auto index = static_cast<std::size_t>(line_class);
-    if (!look.is_drawn[index]) return 0.0;
+    if (!look.pens[index].is_drawn) return 0.0;
     const glm::dvec3 place_world = space_.world_of(point);
-    double width = look.width_px[index] * pen.presence(place_world.y);
+    double width = look.pens[index].width_px * pen.presence(place_world.y);
     if (is_crease(line_class) && edge != kNoEdge) {
         const double least = pen.crease_rad, whole = 0.5 * std::numbers::pi;
         const double fold = std::clamp((fold_rad(*object.object->surface, edge) - least) / (whole - least), 0.0, 1.0);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/files.hpp"
 
 namespace hw {
 namespace {
@@ -20,7 +21,8 @@ std::string printed(const ParamValue& value)
 
 }  // namespace
 
-ParamReader::ParamReader(const ParamSettings& settings, std::string file) : settings_(settings), file_(std::move(file))
+ParamReader::ParamReader(const ParamSettings& settings, std::string file, std::filesystem::path root)
+    : settings_(settings), file_(std::move(file)), root_(std::move(root))
 {
 }
 
@@ -89,7 +91,7 @@ void ParamReader::colour(const ParamInfo& info, glm::vec3& value)
                  .expected = expected});
 }
 
-void ParamReader::choice(const ParamInfo& info, int& value, std::span<const std::string_view> names)
+void ParamReader::choice_of(const ParamInfo& info, int& index, std::span<const std::string_view> names)
 {
     const std::string expected = fmt::format("one of: {}", fmt::join(names, ", "));
     const std::string* stated = text(info, expected);
@@ -100,13 +102,34 @@ void ParamReader::choice(const ParamInfo& info, int& value, std::span<const std:
                      .file = file_,
                      .pointer = settings_.at(std::string(info.name)).pointer,
                      .expected = expected});
-    value = static_cast<int>(found - names.begin());
+    index = static_cast<int>(found - names.begin());
 }
 
 void ParamReader::map(const ParamInfo& info, MapName& value, MapKind)
 {
     if (const std::string* stated = text(info, "the name of a map, or a path relative to the level file"))
         value.value = *stated;
+}
+
+void ParamReader::image(const ParamInfo& info, ImageFile& value)
+{
+    const std::string expected = "an image file (.png, .jpg), relative to the level file";
+    const std::string* stated = text(info, expected);
+    if (!stated) return;
+    if (root_.empty() || stated->empty()) {
+        value.value = *stated;
+        return;
+    }
+    const std::string& pointer = settings_.at(std::string(info.name)).pointer;
+    const auto folder = std::filesystem::path(file_).parent_path();
+    const std::filesystem::path found = resolve_inside(root_, folder, *stated, file_, pointer);
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(found, failed))
+        throw Error({.what = fmt::format("there is no file \"{}\"", *stated),
+                     .file = file_,
+                     .pointer = pointer,
+                     .expected = expected});
+    value.value = std::filesystem::absolute(found).string();
 }
 
 void ParamReader::refuse_unknown() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,26 +13,29 @@ namespace hw {
 /// with the file, the pointer, what was found and what is allowed.
 class ParamReader final : public ParamVisitor {
  public:
-    /// `file` is named in messages. `settings` must outlive the reader.
-    ParamReader(const ParamSettings& settings, std::string file);
+    /// `file` is named in messages. Images that the settings name lie inside of `root` and are found from the folder of
+    /// `file`; without a root they stay as stated. `settings` must outlive the reader.
+    ParamReader(const ParamSettings& settings, std::string file, std::filesystem::path root = {});
 
     void real(const ParamInfo& info, float& value, float min, float max) override;
     void whole(const ParamInfo& info, int& value, int min, int max) override;
     void flag(const ParamInfo& info, bool& value) override;
     void colour(const ParamInfo& info, glm::vec3& value) override;
-    void choice(const ParamInfo& info, int& value, std::span<const std::string_view> names) override;
     void map(const ParamInfo& info, MapName& value, MapKind kind) override;
+    void image(const ParamInfo& info, ImageFile& value) override;
 
     /// Call after the visit: throws when a setting was not visited, naming the parameters that exist.
     void refuse_unknown() const;
 
  private:
+    void choice_of(const ParamInfo& info, int& index, std::span<const std::string_view> names) override;
     const ParamSetting* find(const ParamInfo& info);
     const double* number(const ParamInfo& info, double min, double max, bool whole);
     const std::string* text(const ParamInfo& info, const std::string& expected);
 
     const ParamSettings& settings_;
     std::string file_;
+    std::filesystem::path root_;
     std::vector<std::string> visited_;
 };
 

@@ -14,7 +14,7 @@ void PlainStyle::prepare(ProgramCache& programs)
     program_ = programs.surface("plain.frag");
 }
 
-void PlainStyle::surfaces(Pass& pass, Layer, std::span<const DrawItem> items)
+void PlainStyle::surfaces(Pass& pass, Items items)
 {
     pass.surfaces(program_, {}, items);
 }
@@ -50,18 +50,18 @@ void GuardedStyle::visit_params(ParamVisitor& visitor)
     attempt("visit_params", [&] { style_->visit_params(visitor); });
 }
 
-void GuardedStyle::images(Pass& pass, std::span<const DrawItem> items)
+void GuardedStyle::images(Pass& pass, Items items)
 {
     attempt("images", [&] { style_->images(pass, items); });
 }
 
-void GuardedStyle::surfaces(Pass& pass, Layer layer, std::span<const DrawItem> items)
+void GuardedStyle::surfaces(Pass& pass, Items items)
 {
-    attempt("surfaces", [&] { style_->surfaces(pass, layer, items); });
-    if (!failure_.empty()) fallback_.surfaces(pass, layer, items);
+    attempt("surfaces", [&] { style_->surfaces(pass, items); });
+    if (!failure_.empty()) fallback_.surfaces(pass, items);
 }
 
-void GuardedStyle::lines(Pass& pass, std::span<const DrawItem> items)
+void GuardedStyle::lines(Pass& pass, Items items)
 {
     attempt("lines", [&] { style_->lines(pass, items); });
 }

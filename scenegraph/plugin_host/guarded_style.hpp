@@ -13,7 +13,7 @@ class PlainStyle final : public Style {
  public:
     Needs needs() const override { return {}; }
     void prepare(ProgramCache& programs) override;
-    void surfaces(Pass& pass, Layer layer, std::span<const DrawItem> items) override;
+    void surfaces(Pass& pass, Items items) override;
 
  private:
     Program program_;
@@ -34,9 +34,9 @@ class GuardedStyle final : public Style {
     void visit_params(ParamVisitor& visitor) override;
     Needs needs() const override { return needs_; }
     void prepare(ProgramCache&) override {}
-    void images(Pass& pass, std::span<const DrawItem> items) override;
-    void surfaces(Pass& pass, Layer layer, std::span<const DrawItem> items) override;
-    void lines(Pass& pass, std::span<const DrawItem> items) override;
+    void images(Pass& pass, Items items) override;
+    void surfaces(Pass& pass, Items items) override;
+    void lines(Pass& pass, Items items) override;
 
  private:
     template <typename Call>

@@ -20,7 +20,7 @@ std::unique_ptr<Instance> with_params(const Plugin& plugin, Instance* (*make)(),
     return call_plugin(plugin.name, "making an instance", source.file, source.pointer, [&] {
         std::unique_ptr<Instance> instance(make());
         if (!instance) throw std::runtime_error("it made none");
-        ParamReader reader(params, source.file);
+        ParamReader reader(params, source.file, source.root);
         instance->visit_params(reader);
         reader.refuse_unknown();
         return instance;
@@ -36,15 +36,16 @@ class MapCollector final : public ParamVisitor {
     void whole(const ParamInfo&, int&, int, int) override {}
     void flag(const ParamInfo&, bool&) override {}
     void colour(const ParamInfo&, glm::vec3&) override {}
-    void choice(const ParamInfo&, int&, std::span<const std::string_view>) override {}
     void map(const ParamInfo& info, MapName& value, MapKind kind) override
     {
         const auto stated = style_.params.find(std::string(info.name));
         if (stated != style_.params.end() && !value.value.empty())
             maps_.push_back({kind, value.value, stated->second.pointer});
     }
+    void image(const ParamInfo&, ImageFile&) override {}
 
  private:
+    void choice_of(const ParamInfo&, int&, std::span<const std::string_view>) override {}
     const StyleDesc& style_;
     std::vector<StatedMap>& maps_;
 };
@@ -55,7 +56,7 @@ std::unique_ptr<Style> style_of(const PluginRegistry& registry, const Level& lev
     const std::string file = level.file.string();
     const std::string place = style.pointer + (style.like.empty() ? "/plugin" : "/like");
     const Plugin& plugin = require_plugin(registry, style.plugin, PluginKind::style, {file, place});
-    return make_style(plugin, style.params, {file, style.pointer});
+    return make_style(plugin, style.params, {file, style.pointer, level.project_root});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@ namespace hw {
 struct StyleSource {
     std::string file;
     std::string pointer;
+    std::filesystem::path root = {};  ///< Of the level's project: images that it names lie inside.
 };
 
 /// The style plugin of that name. Throws hw::Error that lists the plugins there are, or says why the one that was found

@@ -31,13 +31,13 @@ void StyleSet::set_level(const Level& level)
 {
     check_styles(registry_, level);
     const auto old_styles = std::exchange(level_styles_, level.styles);
-    const auto old_file = std::exchange(level_file_, level.file.string());
+    const auto old_level = std::exchange(level_, {level.file.string(), "", level.project_root});
     std::vector<Change> changes;
     try {
         changes = changes_of_level();
     } catch (...) {
         level_styles_ = old_styles;
-        level_file_ = old_file;
+        level_ = old_level;
         throw;
     }
     for (Change& change : changes) {
@@ -67,9 +67,9 @@ StyleSet::Wanted StyleSet::wanted(const std::string& name, const std::string& po
 {
     const auto named = level_styles_.find(name);
     if (named != level_styles_.end())
-        return {named->second.plugin, named->second.params, {level_file_, named->second.pointer}};
-    require_style_name(registry_, level_styles_, name, {level_file_, pointer});
-    return {name, {}, {level_file_, pointer}};
+        return {named->second.plugin, named->second.params, {level_.file, named->second.pointer, level_.root}};
+    require_style_name(registry_, level_styles_, name, {level_.file, pointer});
+    return {name, {}, {level_.file, pointer}};
 }
 
 std::unique_ptr<Style> StyleSet::prepared(const Wanted& wanted)

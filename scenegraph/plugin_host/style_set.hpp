@@ -75,7 +75,7 @@ class StyleSet {
     ProgramSource programs_;
     PlainStyle plain_;
     std::map<std::string, StyleDesc> level_styles_;
-    std::string level_file_;
+    StyleSource level_;  ///< Its file and root.
     std::vector<Instance> instances_;
     std::vector<NamedStyle> styles_;
 };

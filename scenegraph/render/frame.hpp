@@ -12,11 +12,12 @@
 
 namespace hw {
 
-/// Which light of the frame and which streams of meshes a style reads.
-struct StyleLight {
+/// What of the frame's products a style reads.
+struct StyleReads {
     bool uses_shadow = false;
     bool uses_lightmap = false;
     Streams streams = {};
+    std::optional<EdgeNeed> edges = {};
 };
 
 /// One call of a style for faces, kept until all styles have said what they draw.
@@ -24,7 +25,7 @@ struct FaceCall {
     Program program;
     Uniforms uniforms;
     std::vector<DrawItem> items;
-    StyleLight light;
+    StyleReads reads;
     const std::map<MapKind, int>* style_maps = nullptr;
 };
 

@@ -13,9 +13,9 @@ namespace {
 StylePass pass_of(const Frame& frame, int style, PassStage stage)
 {
     const Needs& needs = frame.scene.needs[style];
-    const StyleLight light{needs.shadow == ShadowNeed::main_light, needs.lightmap && frame.scene.lightmap.has_light(),
-                           needs.streams};
-    return {frame, stage, light, frame.scene.style_maps[style]};
+    const StyleReads reads{needs.shadow == ShadowNeed::main_light, needs.lightmap && frame.scene.lightmap.has_light(),
+                           needs.streams, needs.edges};
+    return {frame, stage, reads, frame.scene.style_maps[style]};
 }
 
 Style& style_of(const Frame& frame, int style)
@@ -50,7 +50,7 @@ void draw_opaque(const Frame& frame, PassStage stage, std::vector<DrawItem> Styl
         const std::vector<DrawItem>& items = frame.view.plan.styles[i].*items_of;
         if (items.empty()) continue;
         StylePass pass = pass_of(frame, i, stage);
-        style_of(frame, i).surfaces(pass, Layer::opaque, items);
+        style_of(frame, i).surfaces(pass, items);
         frame.device.state.apply({});
     }
 }
@@ -133,7 +133,7 @@ void draw_blended(const Frame& frame)
 {
     for (const StyleRun& run : frame.view.plan.blended_runs) {
         StylePass pass = pass_of(frame, run.style, PassStage::blended);
-        style_of(frame, run.style).surfaces(pass, Layer::blended, run.items);
+        style_of(frame, run.style).surfaces(pass, run.items);
         frame.device.state.apply({});
         style_of(frame, run.style).lines(pass, run.items);
         frame.device.state.apply({});

@@ -73,15 +73,15 @@ void draw_faces(const Frame& frame, const FaceCall& call, const PipelineState& s
 {
     const VisibleSet& visible =
         hidden == Hidden::left_out && frame.results.seen ? *frame.results.seen : frame.view.visible;
-    const std::uint32_t shadow = call.light.uses_shadow ? frame.scene.shadow.texture() : 0;
+    const std::uint32_t shadow = call.reads.uses_shadow ? frame.scene.shadow.texture() : 0;
     frame.faces().draw({.program = call.program,
                         .uniforms = &call.uniforms,
                         .state = state,
                         .features = frame.scene.light_features | (shadow != 0 ? surface_feature::kShadow : 0),
                         .time_s = frame.view.camera.time_s,
                         .shadow_texture = shadow,
-                        .streams = call.light.streams,
-                        .lightmap = call.light.uses_lightmap ? &frame.scene.lightmap : nullptr},
+                        .streams = call.reads.streams,
+                        .lightmap = call.reads.uses_lightmap ? &frame.scene.lightmap : nullptr},
                        surface_items_of(frame, call, visible), visible.ranges);
 }
 

@@ -47,8 +47,8 @@ PipelineState picture_state(PassStage stage)
 
 }  // namespace
 
-StylePass::StylePass(const Frame& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps)
-    : frame_(frame), stage_(stage), light_(light), style_maps_(maps)
+StylePass::StylePass(const Frame& frame, PassStage stage, const StyleReads& reads, const std::map<MapKind, int>& maps)
+    : frame_(frame), stage_(stage), reads_(reads), style_maps_(maps)
 {
 }
 
@@ -78,8 +78,7 @@ GpuTarget* StylePass::transient(const TargetDesc& target)
     }
 }
 
-Image StylePass::render(const TargetDesc& target, Program program, const Uniforms& uniforms,
-                        std::span<const DrawItem> items)
+Image StylePass::render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items)
 {
     GpuTarget* made = transient(target);
     if (made == nullptr) return {};
@@ -109,12 +108,12 @@ Image StylePass::filter(const TargetDesc& target, Program program, const Uniform
     return {made->colour().id(), made->desc().size_px};
 }
 
-FaceCall StylePass::call_of(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) const
+FaceCall StylePass::call_of(Program program, const Uniforms& uniforms, Items items) const
 {
-    return {program, uniforms, {items.begin(), items.end()}, light_, &style_maps_};
+    return {program, uniforms, {items.begin(), items.end()}, reads_, &style_maps_};
 }
 
-void StylePass::surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items)
+void StylePass::surfaces(Program program, const Uniforms& uniforms, Items items)
 {
     if (stage_ == PassStage::images) return;
     FaceCall call = call_of(program, uniforms, items);
@@ -124,13 +123,13 @@ void StylePass::surfaces(Program program, const Uniforms& uniforms, std::span<co
         draw_faces(frame_, call, picture_state(stage_), Hidden::left_out);
 }
 
-void StylePass::lines(const LineLook& look, std::span<const DrawItem> items)
+void StylePass::lines(const LineLook& look, Items items)
 {
-    if (stage_ == PassStage::images) return;
+    if (stage_ == PassStage::images || !reads_.edges) return;
     std::vector<LineItem> line_items;
     for (const DrawItem& item : items) line_items.push_back({&item, &frame_.view.visible.objects[item.slot]});
     const LineFrame line_frame{frame_.view.camera, frame_.view.options.line_path, frame_.results.line_depth_texture};
-    frame_.device.lines.draw(line_frame, look, line_items, frame_.scene.edges);
+    frame_.device.lines.draw(line_frame, {look, reads_.edges->crease_rad, line_items}, frame_.scene.edges);
 }
 
 }  // namespace hw

@@ -16,23 +16,23 @@ enum class PassStage : std::uint8_t {
 class StylePass final : public Pass {
  public:
     /// `maps` are those of the style's needs, for objects without maps of that kind; they must outlive the pass.
-    StylePass(const Frame& frame, PassStage stage, const StyleLight& light, const std::map<MapKind, int>& maps);
+    StylePass(const Frame& frame, PassStage stage, const StyleReads& reads, const std::map<MapKind, int>& maps);
 
     const View& view() const override { return frame_.view.camera; }
+    Layer layer() const override { return stage_ == PassStage::blended ? Layer::blended : Layer::opaque; }
     Image image(const ImageKey& key) const override;
-    Image render(const TargetDesc& target, Program program, const Uniforms& uniforms,
-                 std::span<const DrawItem> items) override;
+    Image render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) override;
     Image filter(const TargetDesc& target, Program program, const Uniforms& uniforms) override;
-    void surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) override;
-    void lines(const LineLook& look, std::span<const DrawItem> items) override;
+    void surfaces(Program program, const Uniforms& uniforms, Items items) override;
+    void lines(const LineLook& look, Items items) override;
 
  private:
     GpuTarget* transient(const TargetDesc& target);
-    FaceCall call_of(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) const;
+    FaceCall call_of(Program program, const Uniforms& uniforms, Items items) const;
 
     const Frame& frame_;
     PassStage stage_;
-    StyleLight light_;
+    StyleReads reads_;
     const std::map<MapKind, int>& style_maps_;
 };
 

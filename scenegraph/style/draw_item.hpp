@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hatchway/world/presence.hpp"
 #include "hatchway/world/scene.hpp"
@@ -20,6 +21,9 @@ struct DrawItem {
     float certainty = 1.0f;             ///< Of the level, in [0, 1]: a free variable for colour or tone.
     std::uint32_t slot = 0;             ///< The host's own index of the item.
 };
+
+/// Objects that one call draws; valid during that call.
+using Items = std::span<const DrawItem>;
 
 /// Opaque and masked faces are drawn before blended ones.
 enum class Layer : std::uint8_t { opaque, blended };

@@ -41,18 +41,32 @@ struct StrokeCharacter {
     bool is_ruled() const { return wobble_px == 0.0f && overshoot_px == 0.0f && taper_px == 0.0f && dash_px == 0.0f; }
 };
 
-/// How lines are drawn. Widths are logical pixels.
+/// What draws the lines of one class.
+struct Pen {
+    float width_px = 1.2f;   ///< Logical pixels.
+    glm::vec3 colour{0.0f};  ///< sRGB
+    bool is_drawn = true;
+};
+
+/// How lines are drawn: look.all({.width_px = 2.0f}), then look[LineClass::border] = {.width_px = 3.0f}. Which edges
+/// are creases is EdgeNeed's.
 struct LineLook {
-    std::array<float, kLineClassCount> width_px{1.5f, 1.2f, 1.2f, 1.5f, 1.2f, 1.2f};
-    std::array<glm::vec3, kLineClassCount> colour{};  ///< sRGB
-    std::array<bool, kLineClassCount> is_drawn{true, true, true, true, true, true};
-    float crease_rad = 0.7f;   ///< Must not exceed EdgeNeed's: the prefix of the edge table that is drawn.
+    /// Of each class, in the order of LineClass: silhouettes and borders are the wider ones.
+    std::array<Pen, kLineClassCount> pens{Pen{1.5f}, Pen{}, Pen{}, Pen{1.5f}, Pen{}, Pen{}};
     float depth_taper = 0.0f;  ///< 0: constant width; 1: width falls as 1 / distance beyond `taper_from_m`.
     float taper_from_m = 10.0f;
-    float fold_weight =
-        0.0f;  ///< 1: creases grow from a quarter of their width, just folded enough, to all at a right angle.
+    /// 1: creases grow from a quarter of their width, just folded enough, to all of it at a right angle.
+    float fold_weight = 0.0f;
     StrokeCharacter stroke;
     FarPolicy far;
+
+    Pen& operator[](LineClass line_class) { return pens[static_cast<std::size_t>(line_class)]; }
+    const Pen& operator[](LineClass line_class) const { return pens[static_cast<std::size_t>(line_class)]; }
+    LineLook& all(const Pen& pen)
+    {
+        pens.fill(pen);
+        return *this;
+    }
 };
 
 }  // namespace hw

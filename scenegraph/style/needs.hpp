@@ -11,19 +11,16 @@
 
 namespace hw {
 
-/// Object-space edges that a style draws or reads. Adjacency is built only for objects whose style asks for it.
+/// Object-space edges that a style draws by Pass::lines(). Adjacency is built only for objects whose style asks for it.
 struct EdgeNeed {
     float crease_rad = 0.7f;     ///< Edges folded by more are creases.
-    bool silhouettes = true;     ///< The contour candidates that are silhouettes from this eye, anew each frame.
     bool intersections = false;  ///< Lines where objects cut each other.
 };
 
 /// Extra vertex streams. Made once for each mesh and source, on need.
 struct Streams {
-    bool tangent = false;
     bool hatch_uv = false;   ///< Coordinates that strokes follow, from `hatch_source`.
     bool direction = false;  ///< Where u of `hatch_source` rises; of source model the direction of strongest curvature.
-    bool arc_length = false;  ///< Along lines, object space, metres.
     HatchSource hatch_source = HatchSource::model;
 };
 

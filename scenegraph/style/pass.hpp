@@ -61,17 +61,18 @@ class Pass {
     virtual ~Pass() = default;
 
     virtual const View& view() const = 0;
+    /// Which faces are being drawn: surfaces() and lines() are called once for each layer that has some.
+    virtual Layer layer() const = 0;
     /// An image that the style's needs name.
     virtual Image image(const ImageKey& key) const = 0;
     /// Draws items' faces into a transient target, cleared first.
-    virtual Image render(const TargetDesc& target, Program program, const Uniforms& uniforms,
-                         std::span<const DrawItem> items) = 0;
+    virtual Image render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) = 0;
     /// A full-screen pass into a transient target.
     virtual Image filter(const TargetDesc& target, Program program, const Uniforms& uniforms) = 0;
     /// Draws items' faces into the picture.
-    virtual void surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) = 0;
-    /// Draws items' lines into the picture, hidden parts removed by depth.
-    virtual void lines(const LineLook& look, std::span<const DrawItem> items) = 0;
+    virtual void surfaces(Program program, const Uniforms& uniforms, Items items) = 0;
+    /// Draws items' lines into the picture, hidden parts removed by depth. None, unless the style's needs name edges.
+    virtual void lines(const LineLook& look, Items items) = 0;
 };
 
 }  // namespace hw

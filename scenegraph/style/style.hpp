@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "hatchway/param/param_visitor.hpp"
 #include "hatchway/style/colour.hpp"
 #include "hatchway/style/ink_look.hpp"
@@ -24,10 +22,10 @@ class Style {
     virtual Needs needs() const = 0;
     virtual void prepare(ProgramCache&) = 0;
 
-    /// Called in this order, each once a frame and layer, with the style's visible objects.
-    virtual void images(Pass&, std::span<const DrawItem>) {}
-    virtual void surfaces(Pass&, Layer, std::span<const DrawItem>) {}
-    virtual void lines(Pass&, std::span<const DrawItem>) {}
+    /// Called in this order with the style's visible objects: images() once a frame, the others once for each layer.
+    virtual void images(Pass&, Items) {}
+    virtual void surfaces(Pass&, Items) {}
+    virtual void lines(Pass&, Items) {}
 };
 
 /// The second kind of plugin: makes one full-screen image from products, for any style (edge map, id mask, distance to

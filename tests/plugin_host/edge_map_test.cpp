@@ -26,7 +26,7 @@ class EdgeShow final : public Style {
         return needs;
     }
     void prepare(ProgramCache& programs) override { program_ = programs.surface("edge_show.frag"); }
-    void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override
+    void surfaces(Pass& pass, Items items) override
     {
         Uniforms uniforms;
         uniforms.set("edges", pass.image(key_));

@@ -40,12 +40,13 @@ struct ParamCritic final : ParamVisitor {
     }
     void flag(const ParamInfo& info, bool&) override { check(info); }
     void colour(const ParamInfo& info, glm::vec3&) override { check(info); }
-    void choice(const ParamInfo& info, int& value, std::span<const std::string_view> names) override
+    void choice_of(const ParamInfo& info, int& index, std::span<const std::string_view> names) override
     {
         check(info);
-        EXPECT_TRUE(value >= 0 && value < static_cast<int>(names.size())) << info.name;
+        EXPECT_TRUE(index >= 0 && index < static_cast<int>(names.size())) << info.name;
     }
     void map(const ParamInfo& info, MapName&, MapKind) override { check(info); }
+    void image(const ParamInfo& info, ImageFile&) override { check(info); }
 
     void check(const ParamInfo& info)
     {

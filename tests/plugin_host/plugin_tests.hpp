@@ -54,23 +54,21 @@ struct FakeProgramCache final : ProgramCache {
 /// Counts what styles draw.
 struct FakePass final : Pass {
     const View& view() const override { return a_view; }
+    Layer layer() const override { return a_layer; }
     Image image(const ImageKey&) const override { return {}; }
-    Image render(const TargetDesc&, Program, const Uniforms&, std::span<const DrawItem>) override
-    {
-        return {1, {1, 1}};
-    }
+    Image render(const TargetDesc&, Program, const Uniforms&, Items) override { return {1, {1, 1}}; }
     Image filter(const TargetDesc&, Program, const Uniforms& uniforms) override
     {
         last_uniforms = uniforms;
         return {2, {1, 1}};
     }
-    void surfaces(Program program, const Uniforms& uniforms, std::span<const DrawItem> items) override
+    void surfaces(Program program, const Uniforms& uniforms, Items items) override
     {
         drawn_surfaces += items.size();
         last_program = program;
         last_uniforms = uniforms;
     }
-    void lines(const LineLook& look, std::span<const DrawItem> items) override
+    void lines(const LineLook& look, Items items) override
     {
         drawn_lines += items.size();
         last_look = look;
@@ -78,6 +76,7 @@ struct FakePass final : Pass {
     }
 
     View a_view;
+    Layer a_layer = Layer::opaque;
     std::size_t drawn_surfaces = 0;
     std::size_t drawn_lines = 0;
     Program last_program;

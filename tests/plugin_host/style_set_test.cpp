@@ -79,8 +79,8 @@ TEST_F(style_set, a_style_that_throws_while_drawing_is_drawn_plain_from_then_on)
 {
     set.set_level(level_with("bad", "throws_where_told", failing_in("surfaces")));
     Style& style = *set.styles()[set.use("bad", "")].style;
-    style.surfaces(pass, Layer::opaque, items);
-    style.surfaces(pass, Layer::opaque, items);
+    style.surfaces(pass, items);
+    style.surfaces(pass, items);
     style.lines(pass, items);
     EXPECT_EQ(pass.drawn_surfaces, 4u);
     ASSERT_EQ(set.failures().size(), 1u);
@@ -92,9 +92,9 @@ TEST_F(style_set, a_style_that_throws_in_its_lines_keeps_its_objects_in_the_pict
 {
     set.set_level(level_with("bad", "throws_where_told", failing_in("lines")));
     Style& style = *set.styles()[set.use("bad", "")].style;
-    style.surfaces(pass, Layer::opaque, items);
+    style.surfaces(pass, items);
     style.lines(pass, items);
-    style.surfaces(pass, Layer::opaque, items);
+    style.surfaces(pass, items);
     EXPECT_EQ(pass.drawn_surfaces, 4u);
     EXPECT_EQ(set.failures().size(), 1u);
 }
@@ -132,7 +132,7 @@ TEST_F(style_set, a_shader_that_no_longer_compiles_keeps_the_last_good_instance)
     const auto messages = set.prepare_again();
     ASSERT_EQ(messages.size(), 1u);
     EXPECT_THAT(messages[0], HasSubstr("the style \"photoreal\" stays as it was: photoreal.frag: does not compile"));
-    set.styles()[0].style->surfaces(pass, Layer::opaque, items);
+    set.styles()[0].style->surfaces(pass, items);
     EXPECT_EQ(pass.drawn_surfaces, 2u);
     programs.fails_for.clear();
     EXPECT_TRUE(set.prepare_again().empty());

@@ -62,7 +62,7 @@ TEST_F(frame, a_style_that_draws_its_objects_twice_shows_both)
      public:
         Needs needs() const override { return {}; }
         void prepare(ProgramCache& programs) override { program_ = programs.surface("test_flat.frag"); }
-        void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override
+        void surfaces(Pass& pass, Items items) override
         {
             for (const glm::vec3& colour : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)}) {
                 Uniforms uniforms;

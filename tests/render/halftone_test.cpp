@@ -25,7 +25,7 @@ class StreamStyle final : public Style {
     explicit StreamStyle(Streams streams) : streams_(streams) {}
     Needs needs() const override { return {.streams = streams_}; }
     void prepare(ProgramCache& programs) override { program_ = programs.surface("test_streams.frag"); }
-    void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override { pass.surfaces(program_, {}, items); }
+    void surfaces(Pass& pass, Items items) override { pass.surfaces(program_, {}, items); }
 
  private:
     Streams streams_;

@@ -37,7 +37,7 @@ class InkStyle final : public Style {
         if (checks_range) defines += "#define CHECKS_RANGE 1\n";
         program_ = programs.surface("test_hatching.frag", defines);
     }
-    void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override
+    void surfaces(Pass& pass, Items items) override
     {
         const double first = glm::radians(angle_deg);
         const double second = first + glm::radians(70.0);

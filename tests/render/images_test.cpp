@@ -32,7 +32,7 @@ class ShowingStyle final : public Style {
     explicit ShowingStyle(ImageKey key) : key_(std::move(key)) {}
     Needs needs() const override { return {.images = {key_}}; }
     void prepare(ProgramCache& programs) override { program_ = programs.surface("test_show.frag"); }
-    void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override
+    void surfaces(Pass& pass, Items items) override
     {
         pass.surfaces(program_, Uniforms().set("shown", pass.image(key_)), items);
     }
@@ -52,16 +52,13 @@ class TransientStyle final : public Style {
         invert_ = programs.full_screen("test_invert.frag");
         show_ = programs.surface("test_show.frag");
     }
-    void images(Pass& pass, std::span<const DrawItem> items) override
+    void images(Pass& pass, Items items) override
     {
         const Image drawn = pass.render({.clear = glm::vec4(0.0f)}, flat_,
                                         Uniforms().set("flat_colour", glm::vec3(1.0f, 0.0f, 0.0f)), items);
         inverted_ = pass.filter({.has_depth = false}, invert_, Uniforms().set("source", drawn));
     }
-    void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override
-    {
-        pass.surfaces(show_, Uniforms().set("shown", inverted_), items);
-    }
+    void surfaces(Pass& pass, Items items) override { pass.surfaces(show_, Uniforms().set("shown", inverted_), items); }
 
  private:
     Program flat_, invert_, show_;

@@ -17,7 +17,7 @@ glm::dmat4 at(double x, double y, double z)
 LineLook look_of_width(float width_px)
 {
     LineLook look;
-    look.width_px.fill(width_px);
+    look.all({.width_px = width_px});
     look.far.is_on = false;
     return look;
 }
@@ -247,7 +247,7 @@ TEST_F(lines, inside_of_a_far_object_go_before_its_outline)
     }
     tile.normals.assign(tile.positions.size(), glm::vec3(0, 0, 1));
     add_object(scene_, tile, kHere, painted(glm::vec3(1.0f)));
-    style_.look->crease_rad = 0.3f;
+    style_.crease_rad = 0.3f;
     style_.look->far = {.full_spacing_px = 6.0f};
     load(style_);
     const Pixels far = draw_with(LinePath::quads, view_from({0, 0, 16}, {0, 0, 0}));
@@ -276,7 +276,7 @@ TEST_F(lines, in_many_pieces_add_up_to_the_line_when_they_are_light)
         mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 0, 1));
         return mesh;
     };
-    style_.look->width_px.fill(0.3f);
+    style_.look->all({.width_px = 0.3f});
     const View view = view_from({0.1, 0.3, 2.6}, {0.05, 0.2, 0});
     for (const int samples : {1, 4}) {
         scene_ = {};
@@ -321,11 +321,11 @@ TEST_F(lines, a_taper_thins_the_far_ones)
 TEST_F(lines, a_larger_crease_angle_draws_fewer)
 {
     add_object(scene_, sphere_mesh(1.0f, 6), kHere, painted(glm::vec3(1.0f)));
-    style_.look->crease_rad = 0.1f;
+    style_.crease_rad = 0.1f;
     load(style_);
     const View view = view_from({0, 1, 4}, {0, 0, 0});
     const double many = ink(draw_with(LinePath::quads, view));
-    style_.look->crease_rad = 1.5f;
+    style_.crease_rad = 1.5f;
     load(style_);
     EXPECT_LT(ink(draw_with(LinePath::quads, view)), 0.7 * many);
 }
@@ -437,7 +437,7 @@ TEST_F(lines, that_are_dashed_have_the_share_of_their_dashes_and_silhouettes_are
 TEST_F(lines, of_a_lesser_fold_are_thinner_when_folds_count)
 {
     add_object(scene_, sphere_mesh(1.0f, 5), kHere, painted(glm::vec3(1.0f)));  // folds of 36 degrees
-    style_.look->crease_rad = 0.3f;
+    style_.crease_rad = 0.3f;
     const View view = view_from({0, 1, 4}, {0, 0, 0});
     load(style_);
     const double even = ink(draw_with(LinePath::quads, view));

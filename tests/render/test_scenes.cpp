@@ -107,7 +107,7 @@ ObjectId add_object(Scene& scene, MeshData mesh, const glm::dmat4& world_from_ob
 Needs TestStyle::needs() const
 {
     Needs needs;
-    if (look) needs.edges = EdgeNeed{.crease_rad = look->crease_rad, .intersections = intersections};
+    if (look) needs.edges = EdgeNeed{.crease_rad = crease_rad, .intersections = intersections};
     if (shows_images) needs.images.push_back({"normal_depth", {}});
     needs.shadow = shadow;
     needs.lightmap = lightmap;
@@ -119,7 +119,7 @@ void TestStyle::prepare(ProgramCache& programs)
     program_ = programs.surface(fragment_file, shows_images ? "#define SHOWS_IMAGE 1\n" : "");
 }
 
-void TestStyle::surfaces(Pass& pass, Layer, std::span<const DrawItem> items)
+void TestStyle::surfaces(Pass& pass, Items items)
 {
     Uniforms uniforms;
     uniforms.set("flat_colour", colour_);
@@ -127,7 +127,7 @@ void TestStyle::surfaces(Pass& pass, Layer, std::span<const DrawItem> items)
     pass.surfaces(program_, uniforms, items);
 }
 
-void TestStyle::lines(Pass& pass, std::span<const DrawItem> items)
+void TestStyle::lines(Pass& pass, Items items)
 {
     if (look) pass.lines(*look, items);
 }

@@ -28,12 +28,13 @@ class TestStyle final : public Style {
     explicit TestStyle(glm::vec3 colour) : colour_(colour) {}
     Needs needs() const override;
     void prepare(ProgramCache& programs) override;
-    void surfaces(Pass& pass, Layer layer, std::span<const DrawItem> items) override;
-    void lines(Pass& pass, std::span<const DrawItem> items) override;
+    void surfaces(Pass& pass, Items items) override;
+    void lines(Pass& pass, Items items) override;
 
     std::optional<LineLook> look;  ///< Lines are drawn with this.
-    bool intersections = false;    ///< Lines where objects cut each other are among them.
-    bool shows_images = false;     ///< Takes colours from normal_depth instead.
+    float crease_rad = 0.7f;
+    bool intersections = false;  ///< Lines where objects cut each other are among them.
+    bool shows_images = false;   ///< Takes colours from normal_depth instead.
     ShadowNeed shadow = ShadowNeed::none;
     bool lightmap = false;
     std::string fragment_file = "test_flat.frag";

@@ -35,7 +35,7 @@ class ProbeStyle final : public Style {
     {
         program_ = programs.surface("hatch_probe.frag", "#define " + define_ + " 1\n");
     }
-    void surfaces(Pass& pass, Layer, std::span<const DrawItem> items) override
+    void surfaces(Pass& pass, Items items) override
     {
         Uniforms uniforms;
         uniforms.set("probe_spacing_px", kSpacingPx);

@@ -9,12 +9,12 @@
 namespace hw {
 namespace {
 
-std::vector<ObjectPens> all_with(const Scene& scene, const LineLook& pen)
+std::vector<ObjectPens> all_with(const Scene& scene, const ObjectLineLook& pen)
 {
     ObjectPens pens;
     pens.edges.crease_rad.push_back(pen.crease_rad);
     pens.edges.has_intersections = true;
-    pens.looks.push_back({.look = pen, .crease_rad = pen.crease_rad});
+    pens.looks.push_back(pen);
     return std::vector<ObjectPens>(scene.objects.size(), pens);
 }
 
@@ -28,7 +28,7 @@ LineCamera line_camera(const CameraPlace& camera, glm::ivec2 size_px)
 
 }  // namespace
 
-ExactLines::ExactLines(const std::filesystem::path& file, const LineLook& pen)
+ExactLines::ExactLines(const std::filesystem::path& file, const ObjectLineLook& pen)
     : level_(read_level_with(file, {})),
       world_(open_world(level_, nullptr)),
       lines_(world_->scene, all_with(world_->scene, pen), {}),

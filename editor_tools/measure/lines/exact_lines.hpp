@@ -13,7 +13,7 @@ namespace hw {
 /// The exact visible lines of a level or a model in which every object is drawn with one pen.
 class ExactLines {
  public:
-    ExactLines(const std::filesystem::path& file, const LineLook& pen);
+    ExactLines(const std::filesystem::path& file, const ObjectLineLook& pen);
 
     const Level& level() const { return level_; }
     const LevelWorld& world() const { return *world_; }

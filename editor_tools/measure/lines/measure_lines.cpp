@@ -83,13 +83,12 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& rende
 }
 
 /// How that style draws lines.
-LineLook measured_pen()
+ObjectLineLook measured_pen()
 {
-    LineLook pen;
-    pen.crease_rad = static_cast<float>(glm::radians(kCreaseDeg));
-    pen.width_px.fill(kCreaseWidthPx);
+    ObjectLineLook pen{.crease_rad = static_cast<float>(glm::radians(kCreaseDeg))};
+    pen.look.all({.width_px = kCreaseWidthPx});
     for (const LineClass contour : {LineClass::silhouette, LineClass::border})
-        pen.width_px[static_cast<std::size_t>(contour)] = kContourWidthPx;
+        pen.look[contour].width_px = kContourWidthPx;
     return pen;
 }
 

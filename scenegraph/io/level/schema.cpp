@@ -49,6 +49,7 @@ Json param_schema(const ParamSchema& param)
             schema["enum"] = param.choices;
             break;
         case ParamType::map:
+        case ParamType::image:
             schema["type"] = "string";
             break;
     }
@@ -238,15 +239,20 @@ void SchemaCollector::colour(const ParamInfo& info, glm::vec3& value)
         described_param(info, ParamType::colour, fmt::format("#{:02x}{:02x}{:02x}", byte(0), byte(1), byte(2))));
 }
 
-void SchemaCollector::choice(const ParamInfo& info, int& value, std::span<const std::string_view> names)
+void SchemaCollector::choice_of(const ParamInfo& info, int& index, std::span<const std::string_view> names)
 {
-    params_.push_back(described_param(info, ParamType::choice, std::string(names[static_cast<std::size_t>(value)])));
+    params_.push_back(described_param(info, ParamType::choice, std::string(names[static_cast<std::size_t>(index)])));
     params_.back().choices.assign(names.begin(), names.end());
 }
 
 void SchemaCollector::map(const ParamInfo& info, MapName& value, MapKind)
 {
     params_.push_back(described_param(info, ParamType::map, value.value));
+}
+
+void SchemaCollector::image(const ParamInfo& info, ImageFile& value)
+{
+    params_.push_back(described_param(info, ParamType::image, value.value));
 }
 
 std::string level_schema(const std::vector<StyleSchema>& plugins)

@@ -8,7 +8,7 @@
 
 namespace hw {
 
-enum class ParamType : unsigned char { real, whole, flag, colour, choice, map };
+enum class ParamType : unsigned char { real, whole, flag, colour, choice, map, image };
 
 /// One parameter of a style as the JSON schema and the manual show it.
 struct ParamSchema {
@@ -36,12 +36,13 @@ class SchemaCollector final : public ParamVisitor {
     void whole(const ParamInfo& info, int& value, int min, int max) override;
     void flag(const ParamInfo& info, bool& value) override;
     void colour(const ParamInfo& info, glm::vec3& value) override;
-    void choice(const ParamInfo& info, int& value, std::span<const std::string_view> names) override;
     void map(const ParamInfo& info, MapName& value, MapKind kind) override;
+    void image(const ParamInfo& info, ImageFile& value) override;
 
     const std::vector<ParamSchema>& params() const { return params_; }
 
  private:
+    void choice_of(const ParamInfo& info, int& index, std::span<const std::string_view> names) override;
     std::vector<ParamSchema> params_;
 };
 

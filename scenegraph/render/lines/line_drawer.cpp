@@ -23,8 +23,8 @@ Viewpoint viewpoint_of(const View& view)
 
 float width_px(const View& view, const LineLook& look, LineClass line_class)
 {
-    const auto i = static_cast<std::size_t>(line_class);
-    return look.is_drawn[i] ? std::max(look.width_px[i], 0.0f) * view.px_scale : 0.0f;
+    const Pen& pen = look[line_class];
+    return pen.is_drawn ? std::max(pen.width_px, 0.0f) * view.px_scale : 0.0f;
 }
 
 }  // namespace
@@ -53,26 +53,25 @@ LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) cons
     // Quads have the width that is asked for, with any number of samples, and need no state of their own: see
     // `measure lines`. GL_LINES are the way of 2001, for who wants it.
     if (frame.path != LinePath::native || look.depth_taper > 0.0f || !look.stroke.is_ruled()) return LinePath::quads;
-    const float widest = *std::max_element(look.width_px.begin(), look.width_px.end()) * frame.view.px_scale;
+    float widest = 0.0f;
+    for (const Pen& pen : look.pens) widest = std::max(widest, pen.width_px * frame.view.px_scale);
     const bool fits = widest <= device_.max_line_width_px && widest + 1.0f <= device_.max_point_size_px;
     return fits ? LinePath::native : LinePath::quads;
 }
 
-std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineLook& look,
-                                                          std::span<const LineItem> items, EdgeStore& edges)
+std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineRun& run, EdgeStore& edges)
 {
     std::vector<std::uint32_t> first_lines;
     vertices_.clear();
     const Viewpoint viewpoint = viewpoint_of(frame.view);
-    for (const LineItem& item : items) {
+    for (const LineItem& item : run.items) {
         first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
         const Surface* surface = edges.surface(item.object->object);
         const LineMesh* lines = edges.lines(item.object->object);
-        if (surface == nullptr || width_px(frame.view, look, LineClass::silhouette) <= 0.0f) continue;
-        const float crease_rad = std::max(look.crease_rad, lines->crease_rad);
+        if (surface == nullptr || width_px(frame.view, run.look, LineClass::silhouette) <= 0.0f) continue;
         const std::uint64_t idle = scratch_.counters.objects_without_work;
         const Viewpoint here = in_object(viewpoint, edges.world_from_object(item.object->object));
-        const auto contours = drawn_contours(*surface, here, {.crease_rad = crease_rad}, scratch_);
+        const auto contours = drawn_contours(*surface, here, {.crease_rad = run.crease_rad}, scratch_);
         if (scratch_.counters.objects_without_work == idle) ++counters_.silhouette_extractions;
         counters_.silhouette_edges += contours.size();
         for (const std::uint32_t edge : contours) {
@@ -111,20 +110,21 @@ std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, con
             make(programs_.engine("lines/line_end.vert", "lines/line_end.frag", round), Primitive::points)};
 }
 
-void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, const LineLook& look)
+void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, const LineRun& run)
 {
+    const LineLook& look = run.look;
     std::array<float, kLineClassCount> widths;
     std::array<glm::vec3, kLineClassCount> colours;
     for (int i = 0; i < kLineClassCount; ++i) {
         widths[i] = width_px(frame.view, look, static_cast<LineClass>(i));
-        colours[i] = linear_from_srgb(look.colour[i]);
+        colours[i] = linear_from_srgb(look.pens[i].colour);
     }
     state_.use(*program.gpu);
     state_.bind_texture(program.gpu->unit("hw_line_depth"), frame.depth_texture);
     GpuProgram::set(program.gpu->location("hw_line_width_px[0]"), std::span<const float>(widths));
     GpuProgram::set(program.gpu->location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
     GpuProgram::set(program.gpu->location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
-    GpuProgram::set(program.gpu->location("hw_line_fold"), glm::vec3(look.fold_weight, look.crease_rad, kWholeFold));
+    GpuProgram::set(program.gpu->location("hw_line_fold"), glm::vec3(look.fold_weight, run.crease_rad, kWholeFold));
     const StrokeCharacter& stroke = look.stroke;
     GpuProgram::set(
         program.gpu->location("hw_stroke_px"),
@@ -133,17 +133,19 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
                     glm::vec2(stroke.dash_px * frame.view.px_scale, stroke.dash_share));
 }
 
-void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<const LineItem> items, EdgeStore& edges)
+void LineDrawer::draw(const LineFrame& frame, const LineRun& run, EdgeStore& edges)
 {
+    const LineLook& look = run.look;
+    const std::span<const LineItem> items = run.items;
     const LinePath path = path_for(frame, look);
-    const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, look, items, edges);
+    const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, run, edges);
     for (const bool with_presence : {false, true}) {
         const bool is_needed = std::any_of(items.begin(), items.end(), [&](const LineItem& item) {
             return has_presence(*item.item) == with_presence;
         });
         if (!is_needed) continue;
         for (const LineProgram& program : programs_for(path, look, with_presence)) {
-            set_look(program, frame, look);
+            set_look(program, frame, run);
             for (std::size_t i = 0; i < items.size(); ++i) {
                 const LineMesh* lines = edges.lines(items[i].object->object);
                 const DrawItem& item = *items[i].item;
@@ -151,7 +153,7 @@ void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<co
                 if (!shows_at_all(item, frame.view.time_s)) continue;
                 const Surface& surface = *edges.surface(items[i].object->object);
                 draw_item(program, frame, look, items[i], *lines, lines->buffer,
-                          stretches_of(*lines, surface, frame, look, path));
+                          stretches_of(*lines, surface, frame, run, path));
                 const Stretch silhouettes{first_lines[i], first_lines[i + 1] - first_lines[i],
                                           width_px(frame.view, look, LineClass::silhouette)};
                 draw_item(program, frame, look, items[i], *lines, stream_, {&silhouettes, 1});
@@ -161,14 +163,14 @@ void LineDrawer::draw(const LineFrame& frame, const LineLook& look, std::span<co
 }
 
 std::vector<LineDrawer::Stretch> LineDrawer::stretches_of(const LineMesh& lines, const Surface& surface,
-                                                          const LineFrame& frame, const LineLook& look, LinePath path)
+                                                          const LineFrame& frame, const LineRun& call, LinePath path)
 {
     std::vector<Stretch> stretches;
     for (const LineMesh::Run& run : lines.runs) {
-        const float width = width_px(frame.view, look, run.line_class);
+        const float width = width_px(frame.view, call.look, run.line_class);
         if (width <= 0.0f) continue;
-        const bool is_cut = look.crease_rad > lines.crease_rad;
-        const std::uint32_t count = is_cut ? run_length_at(run, surface, look.crease_rad) : run.count;
+        const bool is_cut = call.crease_rad > lines.crease_rad;
+        const std::uint32_t count = is_cut ? run_length_at(run, surface, call.crease_rad) : run.count;
         const bool continues = !stretches.empty() &&
                                stretches.back().first_line + stretches.back().count == run.first_line &&
                                (path == LinePath::quads || stretches.back().width_px == width);
