@@ -15,6 +15,7 @@ function(hatchway_share name folder)
 endfunction()
 
 hatchway_share(shaders scenegraph/render/shaders "*.glsl" "*.vert" "*.frag")
+hatchway_share(kit npr_plugins/kit "*.glsl")
 hatchway_share(new_style editor_tools/new_style "*.in")
 hatchway_share(levels content/levels "*.json" "*.lightmap")
 hatchway_share(models content/models "*.glb")
@@ -27,14 +28,15 @@ install(TARGETS hatchway EXPORT hatchway_targets
 install(EXPORT hatchway_targets NAMESPACE hatchway:: DESTINATION ${package_folder} COMPONENT development)
 export(EXPORT hatchway_targets NAMESPACE hatchway:: FILE "${build_package_folder}/hatchway_targets.cmake")
 
-# The headers that style/style.hpp shows to a style, and hw::Error.
-include(style_headers)
-hatchway_style_headers(style_headers style/style.hpp core/error.hpp)
-foreach(header ${style_headers})
+foreach(header ${HATCHWAY_STYLE_HEADERS})
     get_filename_component(folder ${header} DIRECTORY)
     install(FILES scenegraph/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hatchway/${folder}
             COMPONENT development)
 endforeach()
+install(FILES "${CMAKE_BINARY_DIR}/include/hatchway/header_hash.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hatchway
+        COMPONENT development)
+install(DIRECTORY npr_plugins/kit/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hatchway/kit COMPONENT development
+        FILES_MATCHING PATTERN "*.hpp")
 
 configure_package_config_file(cmake/hatchwayConfig.cmake.in "${build_package_folder}/hatchwayConfig.cmake"
                               INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)

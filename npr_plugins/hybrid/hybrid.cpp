@@ -1,12 +1,9 @@
 // Hybrid: one object, photoreal where it is known and ink where it is conjecture.
-#include <array>
-
-#include "hatchway/style/style.hpp"
+#include "hatchway/kit/far_lines.hpp"
+#include "hatchway/kit/height_ramp.hpp"
+#include "hatchway/kit/ink_look.hpp"
 
 namespace {
-
-enum class Gradient { none, height, object };
-constexpr std::array<std::string_view, 3> kGradients{"none", "height", "object"};
 
 class Hybrid final : public hw::Style {
  public:
@@ -14,13 +11,11 @@ class Hybrid final : public hw::Style {
     {
         visitor.real({"ink_weight", "Share of ink where no gradient says otherwise; with one, its largest share."},
                      ink_weight_, 0.0f, 1.0f);
-        visitor.choice(
-            {"gradient", "Where ink rises: nowhere, between two heights, or from the object's foot to its top."},
-            gradient_, kGradients);
-        visitor.real({"from_m", "Height where ink begins, metres; of gradient object: share of its height."}, from_m_,
-                     -1000.0f, 1000.0f);
-        visitor.real({"to_m", "Height where ink has its full share; of gradient object: share of its height."}, to_m_,
-                     -1000.0f, 1000.0f);
+        gradient_.visit_params(
+            visitor,
+            {{"gradient", "Where ink rises: nowhere, between two heights, or from the object's foot to its top."},
+             {"from_m", "Height where ink begins, metres; of gradient object: share of its height."},
+             {"to_m", "Height where ink has its full share; of gradient object: share of its height."}});
         visitor.colour({"tint", "Colour of the ink's paper: a free variable of the presentation, such as certainty."},
                        tint_);
         visitor.colour({"ink_colour", "Colour of lines."}, ink_);
@@ -30,7 +25,7 @@ class Hybrid final : public hw::Style {
         visitor.real({"line_width_px", "Width of lines."}, line_width_px_, 0.0f, 16.0f);
         visitor.real({"line_presence", "Share of the lines where the object is photoreal."}, line_presence_, 0.0f,
                      1.0f);
-        far_.visit_params(visitor);
+        hw::visit_far_lines(visitor, far_);
         ink_look_.visit_params(visitor);
     }
 
@@ -51,16 +46,14 @@ class Hybrid final : public hw::Style {
 
     void surfaces(hw::Pass& pass, hw::Items items) override
     {
-        for (const hw::DrawItem& item : items) {
-            const Range range = range_of(item);
+        gradient_.each(items, [&](const std::optional<hw::Ramp>& rise, hw::Items together) {
             hw::Uniforms uniforms;
-            uniforms.set("ink_range", glm::vec3(range.from_m, range.to_m, gradient_ == Gradient::none ? 0.0f : 1.0f))
-                .set("ink_weight", ink_weight_)
+            uniforms.set("ink_share", hw::share_uniform(ink_weight_, rise))
                 .set("shade", 0.0f)
-                .set("ink_fade", glm::vec3(0.0f));
+                .set("ink_fade", glm::vec4(0.0f));
             ink_look_.set_uniforms(uniforms, tint_);
-            pass.surfaces(program_, uniforms, {&item, 1});
-        }
+            pass.surfaces(program_, uniforms, together);
+        });
     }
 
     void lines(hw::Pass& pass, hw::Items items) override
@@ -68,35 +61,20 @@ class Hybrid final : public hw::Style {
         hw::LineLook look;
         look.all({line_width_px_, ink_});
         look.far = far_;
-        for (const hw::DrawItem& item : items) {
-            hw::DrawItem faded = item;
-            if (gradient_ != Gradient::none && line_presence_ < 1.0f && !item.is_presence_inverted) {
+        gradient_.each(items, [&](const std::optional<hw::Ramp>& rise, hw::Items together) {
+            look.share.height.reset();
+            if (rise && line_presence_ < 1.0f) {
                 // Lines are there from where ink begins: a drawing needs its outlines before its hatching.
-                const Range range = range_of(item);
-                faded.presence.has_height = true;
-                faded.presence.from_m = range.from_m - line_presence_ * (range.to_m - range.from_m);
-                faded.presence.to_m = range.to_m - 0.5f * (range.to_m - range.from_m);
+                const float height_m = rise->to - rise->from;
+                look.share.height = hw::Ramp{rise->from - line_presence_ * height_m, rise->to - 0.5f * height_m};
             }
-            pass.lines(look, {&faded, 1});
-        }
+            pass.lines(look, together);
+        });
     }
 
  private:
-    struct Range {
-        float from_m;
-        float to_m;
-    };
-
-    Range range_of(const hw::DrawItem& item) const
-    {
-        if (gradient_ != Gradient::object || item.bounds_world.is_empty()) return {from_m_, to_m_};
-        const double foot = item.bounds_world.min.y;
-        const double height = item.bounds_world.size().y;
-        return {static_cast<float>(foot + from_m_ * height), static_cast<float>(foot + to_m_ * height)};
-    }
-
-    float ink_weight_ = 1.0f, from_m_ = 0.25f, to_m_ = 0.75f;
-    Gradient gradient_ = Gradient::object;
+    float ink_weight_ = 1.0f;
+    hw::HeightRamp gradient_{hw::HeightRamp::Over::object, {0.25f, 0.75f}};
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f};
     float crease_rad_ = glm::radians(40.0f), line_width_px_ = 1.4f, line_presence_ = 0.0f;
     hw::FarPolicy far_;

@@ -1,14 +1,14 @@
 // Pen and ink: paper faces, lines in object space, and hatching that stays on the object.
 #include <array>
 
-#include "hatchway/style/style.hpp"
+#include "hatchway/kit/far_lines.hpp"
+#include "hatchway/kit/height_ramp.hpp"
+#include "hatchway/kit/ink_look.hpp"
 
 namespace {
 
 enum class Tone { none, plain, shaded, halftone };
-enum class Fade { none, height, object };
 constexpr std::array<std::string_view, 4> kTones{"none", "plain", "shaded", "halftone"};
-constexpr std::array<std::string_view, 3> kFades{"none", "height", "object"};
 constexpr const char* kHalftoneMap = "halftone";
 
 class PenAndInk final : public hw::Style {
@@ -22,14 +22,11 @@ class PenAndInk final : public hw::Style {
                         hw::ParamChange::rebuild},
                        tone_, kTones);
         ink_look_.visit_params(visitor);
-        visitor.choice(
-            {"fade", "Where hatching fades: nowhere, between two heights, or from the object's foot to its top."},
-            fade_, kFades);
-        visitor.real(
-            {"fade_from_m", "Height where hatching begins to fade, metres; of fade object: share of its height."},
-            fade_from_m_, -1000.0f, 1000.0f);
-        visitor.real({"fade_to_m", "Height where hatching is gone, metres; of fade object: share of its height."},
-                     fade_to_m_, -1000.0f, 1000.0f);
+        fade_.visit_params(
+            visitor,
+            {{"fade", "Where hatching fades: nowhere, between two heights, or from the object's foot to its top."},
+             {"fade_from_m", "Height where hatching begins to fade, metres; of fade object: share of its height."},
+             {"fade_to_m", "Height where hatching is gone, metres; of fade object: share of its height."}});
         visitor.real({"shade", "Smooth gray shade under the ink."}, shade_, 0.0f, 1.0f);
         visitor.colour({"paper_colour", "Colour of faces."}, paper_);
         visitor.colour({"ink_colour", "Colour of silhouettes, borders and intersections."}, ink_);
@@ -70,15 +67,12 @@ class PenAndInk final : public hw::Style {
 
     void surfaces(hw::Pass& pass, hw::Items items) override
     {
-        if (fade_ != Fade::object) {
-            draw(pass, {fade_from_m_, fade_to_m_}, items);
-            return;
-        }
-        for (const hw::DrawItem& item : items) {
-            const auto foot = static_cast<float>(item.bounds_world.min.y);
-            const float height = item.bounds_world.is_empty() ? 1.0f : static_cast<float>(item.bounds_world.size().y);
-            draw(pass, {foot + fade_from_m_ * height, foot + fade_to_m_ * height}, {&item, 1});
-        }
+        fade_.each(items, [&](const std::optional<hw::Ramp>& fade, hw::Items together) {
+            hw::Uniforms uniforms;
+            uniforms.set("shade", shade_).set("ink_fade", hw::share_uniform(fade ? 1.0f : 0.0f, fade));
+            ink_look_.set_uniforms(uniforms, paper_);
+            pass.surfaces(program_, uniforms, together);
+        });
     }
 
     void lines(hw::Pass& pass, hw::Items items) override
@@ -99,14 +93,6 @@ class PenAndInk final : public hw::Style {
 
  private:
     bool is_shaded() const { return tone_ == Tone::shaded || tone_ == Tone::halftone; }
-
-    void draw(hw::Pass& pass, const glm::vec2& fade, hw::Items items)
-    {
-        hw::Uniforms uniforms;
-        uniforms.set("shade", shade_).set("ink_fade", glm::vec3(fade, fade_ == Fade::none ? 0.0f : 1.0f));
-        ink_look_.set_uniforms(uniforms, paper_);
-        pass.surfaces(program_, uniforms, items);
-    }
 
     void visit_lines(hw::ParamVisitor& visitor)
     {
@@ -136,7 +122,7 @@ class PenAndInk final : public hw::Style {
                      stroke_.dash_px, 0.0f, 200.0f);
         visitor.real({"line_dash_share", "Of the dash in that."}, stroke_.dash_share, 0.05f, 1.0f);
         visitor.real({"depth_taper", "1 thins lines with distance, 0 keeps their width."}, depth_taper_, 0.0f, 1.0f);
-        far_.visit_params(visitor);
+        hw::visit_far_lines(visitor, far_);
     }
 
     float crease_rad_ = glm::radians(40.0f), depth_taper_ = 0.0f, fold_weight_ = 0.0f;
@@ -146,8 +132,8 @@ class PenAndInk final : public hw::Style {
     glm::vec3 crease_colour_{0.07f, 0.06f, 0.06f};
     hw::FarPolicy far_;
     Tone tone_ = Tone::shaded;
-    Fade fade_ = Fade::none;
-    float fade_from_m_ = 0.5f, fade_to_m_ = 1.0f, shade_ = 0.0f;
+    hw::HeightRamp fade_{hw::HeightRamp::Over::none, {0.5f, 1.0f}};
+    float shade_ = 0.0f;
     glm::vec3 paper_{1.0f}, ink_{0.07f, 0.06f, 0.06f};
     hw::InkLook ink_look_;
     hw::MapName hatch_{"fine"}, tonal_, ink_map_;

@@ -1,6 +1,6 @@
 #include "hatchway/drawing/line_looks.hpp"
 
-#include "hatchway/drawing/styled_items.hpp"
+#include "hatchway/drawing/frame_items.hpp"
 
 namespace hw {
 namespace {
@@ -8,8 +8,8 @@ namespace {
 /// A pass that draws nothing and writes down each LineLook.
 class LookRecorder final : public Pass {
  public:
-    LookRecorder(const View& view, float crease_rad, std::vector<ObjectPens>& pens)
-        : view_(view), crease_rad_(crease_rad), pens_(pens)
+    LookRecorder(const View& view, const FrameItems& made, float crease_rad, std::vector<ObjectPens>& pens)
+        : view_(view), made_(made), crease_rad_(crease_rad), pens_(pens)
     {
     }
 
@@ -22,12 +22,14 @@ class LookRecorder final : public Pass {
     void lines(const LineLook& look, Items items) override
     {
         for (const DrawItem& item : items)
-            pens_[item.object].looks.push_back(
-                {look, crease_rad_, item.presence, item.is_presence_inverted, view_.time_s});
+            if (made_.has_made(item))
+                pens_[FrameItems::slot(item)].looks.push_back({look, crease_rad_, FrameItems::presence(item),
+                                                               FrameItems::is_presence_inverted(item), view_.time_s});
     }
 
  private:
     const View& view_;
+    const FrameItems& made_;
     float crease_rad_;
     std::vector<ObjectPens>& pens_;
 };
@@ -42,14 +44,15 @@ std::vector<ObjectPens> object_pens(const Scene& scene, std::span<const NamedSty
     std::vector<ObjectPens> pens(objects.size());
     const std::vector<EdgeDemand> demands = edge_demands(objects, needs);
     for (ObjectId id = 0; id < objects.size(); ++id) pens[id].edges = demands[id];
+    FrameItems made;
     for (int style = 0; style < static_cast<int>(styles.size()); ++style) {
         if (!needs[style].edges) continue;
         std::vector<DrawItem> items;
         for (ObjectId id = 0; id < objects.size(); ++id) {
-            if (objects[id].style == style) items.push_back(item_of(scene, id, objects[id], false));
-            if (objects[id].over == style) items.push_back(item_of(scene, id, objects[id], true));
+            if (objects[id].style == style) items.push_back(made.make(scene, id, objects[id], false, id));
+            if (objects[id].over == style) items.push_back(made.make(scene, id, objects[id], true, id));
         }
-        LookRecorder recorder(view, needs[style].edges->crease_rad, pens);
+        LookRecorder recorder(view, made, needs[style].edges->crease_rad, pens);
         if (!items.empty()) styles[style].style->lines(recorder, items);
     }
     return pens;

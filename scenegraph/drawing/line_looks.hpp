@@ -22,7 +22,8 @@ struct ObjectLineLook {
     double presence(double y_m) const
     {
         const double value = presence_at(field, static_cast<float>(y_m), time_s);
-        return is_inverted ? 1.0 - value : value;
+        const double share = presence_at(look.share, static_cast<float>(y_m), time_s);
+        return (is_inverted ? 1.0 - value : value) * share;
     }
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hatchway/style/style.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "hatchway/param/map_kind.hpp"
+
 namespace hw {
 
 /// What happens when a parameter changes while the program runs.
@@ -22,9 +24,6 @@ struct ParamInfo {
     std::string_view help;  ///< One sentence for the manual, the editor and the JSON schema.
     ParamChange change = ParamChange::live;
 };
-
-/// The kinds of maps that a parameter may name.
-enum class MapKind : unsigned char { hatch, ink, tonal, ramp, image };
 
 /// A named map as a parameter holds it: the name of a built-in map, or a path relative to the level file. Empty: none.
 struct MapName {

@@ -79,12 +79,12 @@ std::string plugin_refusal(const PluginEntry* entry, std::string_view file_name)
     if (!entry) return "its function hw_plugin() returns nothing";
     if (entry->api_version != kStyleApiVersion)
         return fmt::format(
-            "it was built for version {} of the plugin interface, this program has version {}: build it anew",
+            "it was built for version {} of the plugin interface, this program has version {}: change its source for that, then build it anew",
             entry->api_version, kStyleApiVersion);
     if (!entry->build || std::string_view(entry->build) != HW_PLUGIN_BUILD)
         return fmt::format(
-            "it was built by \"{}\", this program by \"{}\": build it with the same compiler, GLM and "
-            "build type",
+            "it was built by \"{}\", this program by \"{}\": build it with the same compiler, GLM, build type and "
+            "headers of the interface",
             entry->build ? entry->build : "", HW_PLUGIN_BUILD);
     if (!entry->name || !is_plugin_name(entry->name)) return "its name is not made of a-z, 0-9 and _";
     if (!file_name.empty() && file_name != entry->name)

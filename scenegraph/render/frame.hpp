@@ -12,8 +12,9 @@
 
 namespace hw {
 
-/// What of the frame's products a style reads.
+/// A style, and what of the frame's products it reads.
 struct StyleReads {
+    std::string_view name = "of an image";
     bool uses_shadow = false;
     bool uses_lightmap = false;
     Streams streams = {};

@@ -13,7 +13,7 @@ namespace {
 StylePass pass_of(const Frame& frame, int style, PassStage stage)
 {
     const Needs& needs = frame.scene.needs[style];
-    const StyleReads reads{needs.shadow == ShadowNeed::main_light, needs.lightmap && frame.scene.lightmap.has_light(),
+    const StyleReads reads{frame.scene.input.styles[style].name, needs.shadow == ShadowNeed::main_light, needs.lightmap && frame.scene.lightmap.has_light(),
                            needs.streams, needs.edges};
     return {frame, stage, reads, frame.scene.style_maps[style]};
 }

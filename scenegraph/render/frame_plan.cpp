@@ -1,7 +1,5 @@
 #include "hatchway/render/frame_plan.hpp"
 
-#include "hatchway/drawing/styled_items.hpp"
-
 namespace hw {
 namespace {
 
@@ -27,15 +25,15 @@ FramePlan plan_frame(const SceneInput& input, const VisibleSet& visible)
         const ObjectId id = visible.objects[slot].object;
         const StyledObject& look = input.objects[id];
         if (look.style == kNone || is_blended(id)) continue;
-        plan.styles[look.style].base.push_back(item_of(scene, id, look, false, slot));
-        if (look.over != kNone) plan.styles[look.over].over.push_back(item_of(scene, id, look, true, slot));
+        plan.styles[look.style].base.push_back(plan.items.make(scene, id, look, false, slot));
+        if (look.over != kNone) plan.styles[look.over].over.push_back(plan.items.make(scene, id, look, true, slot));
     }
     for (std::uint32_t slot = count; slot-- > 0;) {
         const ObjectId id = visible.objects[slot].object;
         const StyledObject& look = input.objects[id];
         if (look.style == kNone || !is_blended(id)) continue;
-        add_blended(plan, look.style, item_of(scene, id, look, false, slot));
-        if (look.over != kNone) add_blended(plan, look.over, item_of(scene, id, look, true, slot));
+        add_blended(plan, look.style, plan.items.make(scene, id, look, false, slot));
+        if (look.over != kNone) add_blended(plan, look.over, plan.items.make(scene, id, look, true, slot));
     }
     return plan;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "hatchway/drawing/frame_items.hpp"
 #include "hatchway/render/view/scene_input.hpp"
 #include "hatchway/render/view/visible_set.hpp"
 
@@ -25,11 +26,12 @@ struct StyleRun {
 
 /// Who draws what in a frame.
 struct FramePlan {
+    FrameItems items;
     std::vector<StyleItems> styles;      ///< One for each named style.
     std::vector<StyleRun> blended_runs;  ///< Back to front across styles.
 };
 
-/// Sorts the visible objects by style. A DrawItem's slot is its place in `visible.objects`.
+/// Sorts the visible objects by style. An item's slot is its place in `visible.objects`.
 FramePlan plan_frame(const SceneInput& input, const VisibleSet& visible);
 
 }  // namespace hw

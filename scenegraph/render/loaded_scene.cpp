@@ -88,7 +88,7 @@ void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledOb
         new_needs.push_back(styles[i].style->needs());
         make_images(new_needs[i], 0, new_images);
         for (const auto& [kind, name] : new_needs[i].maps) {
-            const auto found = input.named_maps.find(name.value);
+            const auto found = input.named_maps.find({kind, name.value});
             if (found != input.named_maps.end()) new_maps[i][kind] = found->second;
         }
     }

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "hatchway/render/device/gpu_lightmap.hpp"
@@ -36,6 +37,7 @@ struct LoadedScene {
     bool is_all_baked = true;                        ///< Every object has baked light.
     std::vector<Box> mesh_bounds;                    ///< Object space.
     std::vector<std::uint32_t> first_triangle;       ///< Of each object, in the numbering of triangle ids.
+    std::set<std::string> refused_styles;            ///< Those that drew items which are none: told once each.
     std::vector<Needs> needs;                        ///< Of each style.
     std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.
     std::map<ImageKey, NeededImage> images;          ///< What styles need, directly or by another image's needs.

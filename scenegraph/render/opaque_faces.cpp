@@ -12,7 +12,7 @@ std::vector<SurfaceItem> surface_items_of(const Frame& frame, const FaceCall& ca
     std::vector<SurfaceItem> surface_items;
     surface_items.reserve(call.items.size());
     for (const DrawItem& item : call.items) {
-        const VisibleObject& object = visible.objects[item.slot];
+        const VisibleObject& object = visible.objects[FrameItems::slot(item)];
         surface_items.push_back(
             {&item, &object, choose_maps(frame.scene.input.objects[object.object].maps, *call.style_maps)});
     }
@@ -54,8 +54,9 @@ VisibleSet ask_what_is_seen(const Frame& frame)
     for (const FaceCall& call : frame.results.opaque_faces) {
         if (!has_plain_depth(frame, call)) continue;
         std::vector<SurfaceItem> items = surface_items_of(frame, call, pieces);
-        std::erase_if(items, [&](const SurfaceItem& item) { return is_asked[item.item->slot] != 0; });
-        for (const SurfaceItem& item : items) is_asked[item.item->slot] = 1;
+        const auto asked = [&](const SurfaceItem& item) -> std::uint8_t& { return is_asked[FrameItems::slot(*item.item)]; };
+        std::erase_if(items, [&](const SurfaceItem& item) { return asked(item) != 0; });
+        for (const SurfaceItem& item : items) asked(item) = 1;
         frame.faces().draw_depth(at_equal_depth, items, pieces.ranges, &frame.device.queries);
     }
     std::vector<std::uint8_t> is_seen(pieces.ranges.size(), 1);

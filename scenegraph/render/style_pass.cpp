@@ -110,7 +110,17 @@ Image StylePass::filter(const TargetDesc& target, Program program, const Uniform
 
 FaceCall StylePass::call_of(Program program, const Uniforms& uniforms, Items items) const
 {
-    return {program, uniforms, {items.begin(), items.end()}, reads_, &style_maps_};
+    return {program, uniforms, of_this_frame(items), reads_, &style_maps_};
+}
+
+std::vector<DrawItem> StylePass::of_this_frame(Items items) const
+{
+    std::vector<DrawItem> known;
+    for (const DrawItem& item : items)
+        if (frame_.view.plan.items.has_made(item)) known.push_back(item);
+    if (known.size() < items.size() && frame_.scene.refused_styles.insert(std::string(reads_.name)).second)
+        log_error("the style \"" + std::string(reads_.name) + "\" draws items that are not of this frame: left out");
+    return known;
 }
 
 void StylePass::surfaces(Program program, const Uniforms& uniforms, Items items)
@@ -126,8 +136,10 @@ void StylePass::surfaces(Program program, const Uniforms& uniforms, Items items)
 void StylePass::lines(const LineLook& look, Items items)
 {
     if (stage_ == PassStage::images || !reads_.edges) return;
+    const std::vector<DrawItem> known = of_this_frame(items);
     std::vector<LineItem> line_items;
-    for (const DrawItem& item : items) line_items.push_back({&item, &frame_.view.visible.objects[item.slot]});
+    for (const DrawItem& item : known)
+        line_items.push_back({&item, &frame_.view.visible.objects[FrameItems::slot(item)]});
     const LineFrame line_frame{frame_.view.camera, frame_.view.options.line_path, frame_.results.line_depth_texture};
     frame_.device.lines.draw(line_frame, {look, reads_.edges->crease_rad, line_items}, frame_.scene.edges);
 }

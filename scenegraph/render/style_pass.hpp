@@ -28,6 +28,8 @@ class StylePass final : public Pass {
 
  private:
     GpuTarget* transient(const TargetDesc& target);
+    /// Items that styles hand back are theirs to get wrong: those that this frame did not make are refused, once told.
+    std::vector<DrawItem> of_this_frame(Items items) const;
     FaceCall call_of(Program program, const Uniforms& uniforms, Items items) const;
 
     const Frame& frame_;

@@ -1,20 +1,13 @@
 #include "hatchway/stage/map_store.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/io/images/map_file.hpp"
 
 namespace hw {
-namespace {
-
-const char* name_of(MapKind kind)
-{
-    constexpr const char* kNames[] = {"hatch", "ink", "tonal", "ramp", "image"};
-    return kNames[static_cast<int>(kind)];
-}
-
-}  // namespace
 
 int MapStore::use(const Level& level, MapKind kind, const std::string& name, const std::string& pointer)
 {
@@ -24,10 +17,10 @@ int MapStore::use(const Level& level, MapKind kind, const std::string& name, con
     if (entry == entries_.end())
         entry = entries_.insert(entries_.end(), {folder, std::make_unique<MapLevels>(read_map(folder))});
     if (entry->map->kind != kind)
-        throw Error({.what = "the map \"" + name + "\" is of the kind " + name_of(entry->map->kind),
+        throw Error({.what = fmt::format("the map \"{}\" is of the kind {}", name, facts_of(entry->map->kind).name),
                      .file = level.file.string(),
                      .pointer = pointer,
-                     .expected = std::string("a map of the kind ") + name_of(kind)});
+                     .expected = fmt::format("a map of the kind {}", facts_of(kind).name)});
     return static_cast<int>(entry - entries_.begin());
 }
 

@@ -12,14 +12,6 @@
 namespace hw {
 namespace {
 
-MapKind map_kind_of(const std::string& name)
-{
-    if (name == "hatch") return MapKind::hatch;
-    if (name == "ink") return MapKind::ink;
-    HW_ASSERT(name == "tonal");
-    return MapKind::tonal;
-}
-
 bool have_common(const std::vector<std::filesystem::path>& paths, const std::vector<std::filesystem::path>& others)
 {
     return std::any_of(paths.begin(), paths.end(), [&](const std::filesystem::path& path) {
@@ -63,10 +55,8 @@ Stage::Shown Stage::with_looks(Level level, std::shared_ptr<const LevelWorld> wo
     shown.looks = resolve_looks(with_extra, shown.world->scene, kFallbackStyle);
     shown.objects = styled_objects(shown.looks, styles_);
     for (ObjectId id = 0; id < shown.objects.size(); ++id) {
-        for (const auto& [kind_name, name] : shown.looks[id].maps) {
-            const MapKind kind = map_kind_of(kind_name);
+        for (const auto& [kind, name] : shown.looks[id].maps)
             shown.objects[id].maps[kind] = maps_.use(shown.level, kind, name, "/assign");  // known: required above
-        }
     }
     return shown;
 }
@@ -74,18 +64,18 @@ Stage::Shown Stage::with_looks(Level level, std::shared_ptr<const LevelWorld> wo
 void Stage::require_maps(const Level& level)
 {
     for (const AssignRule& rule : level.assign)
-        for (const auto& [kind_name, name] : rule.maps)
-            maps_.use(level, map_kind_of(kind_name), name, place_in(rule, "maps/" + kind_name));
+        for (const auto& [kind, name] : rule.maps)
+            maps_.use(level, kind, name, place_in(rule, "maps/" + std::string(facts_of(kind).name)));
     for (const StatedMap& map : maps_of_styles(plugins_, level)) maps_.use(level, map.kind, map.name, map.pointer);
 }
 
-std::map<std::string, int> Stage::named_maps()
+NamedMaps Stage::named_maps()
 {
-    std::map<std::string, int> named;
+    NamedMaps named;
     for (const NamedStyle& style : styles_.styles())
         for (const auto& [kind, name] : style.style->needs().maps)
             if (!name.value.empty())
-                named[name.value] = maps_.use(shown_.level, kind, name.value, "/styles/" + style.name);
+                named[{kind, name.value}] = maps_.use(shown_.level, kind, name.value, "/styles/" + style.name);
     return named;
 }
 
@@ -144,7 +134,8 @@ void Stage::watch_files()
 
 std::vector<std::filesystem::path> Stage::shader_folders() const
 {
-    std::vector<std::filesystem::path> folders{installation_prefix() / "share" / "hatchway" / "shaders"};
+    const std::filesystem::path share = installation_prefix() / "share" / "hatchway";
+    std::vector<std::filesystem::path> folders{share / "shaders", share / "kit"};
     for (const Plugin& plugin : plugins_.plugins()) folders.push_back(plugin.shader_folder);
     return folders;
 }

@@ -79,7 +79,7 @@ class Stage {
     Shown with_looks(Level level, std::shared_ptr<const LevelWorld> world, const std::vector<AssignRule>& extra_rules);
     /// Reads every map that the level names, also where no object uses it, so that a wrong one is told with its place.
     void require_maps(const Level& level);
-    std::map<std::string, int> named_maps();
+    NamedMaps named_maps();
     void show(Shown next, bool has_new_looks_only);
     void load();
     void watch_files();
@@ -94,7 +94,7 @@ class Stage {
     StyleSet styles_;
     MapStore maps_;
     Shown shown_;
-    std::map<std::string, int> named_maps_;  ///< What load() gave to the renderer.
+    NamedMaps named_maps_;  ///< What load() gave to the renderer.
     std::size_t loaded_map_count_ = 0;
     std::vector<AssignRule> extra_rules_;
     FileWatch watch_;

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "hatchway/geometry/lines/line_class.hpp"
-#include "hatchway/param/param_visitor.hpp"
+#include "hatchway/world/presence.hpp"
 
 namespace hw {
 
@@ -17,13 +17,6 @@ struct FarPolicy {
 
     bool is_on = true;
     float full_spacing_px = 4.0f;  ///< Above 0; logical pixels.
-
-    void visit_params(ParamVisitor& visitor)
-    {
-        visitor.flag({"far_thinning", "Thins crowded lines of far objects, so that they do not turn black."}, is_on);
-        visitor.real({"far_spacing_px", "Lines of an object that come closer together than this are thinned."},
-                     full_spacing_px, 1.0f, 40.0f);
-    }
 };
 
 /// How a hand departs from a ruler; all zero: ruled lines. Lengths are logical pixels. Creases, borders, artist's edges
@@ -59,6 +52,7 @@ struct LineLook {
     float fold_weight = 0.0f;
     StrokeCharacter stroke;
     FarPolicy far;
+    PresenceField share;  ///< How much of the lines is there, by height and time: times the item's presence.
 
     Pen& operator[](LineClass line_class) { return pens[static_cast<std::size_t>(line_class)]; }
     const Pen& operator[](LineClass line_class) const { return pens[static_cast<std::size_t>(line_class)]; }

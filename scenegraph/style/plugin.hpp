@@ -7,20 +7,21 @@ namespace hw {
 class Style;
 class ImagePass;
 
-/// Rises with every change of the headers in style/ that makes an older plugin wrong.
+/// Rises with every change of the interface that makes the sources of older plugins wrong. HW_PLUGIN_BUILD tells what
+/// only has to be built anew.
 inline constexpr std::uint32_t kStyleApiVersion = 2;
 
 enum class PluginKind : std::uint32_t { style, image_pass };
 
 /// What a plugin library exports, by the C function `hw_plugin`. The host reads `api_version` first and nothing else
-/// when it differs; then it refuses another compiler, GLM or build type, since those change the layout of what is
-/// passed.
+/// when it differs; then it refuses another compiler, GLM, build type or other headers, since those change the layout of
+/// what is passed.
 struct PluginEntry {
     std::uint32_t api_version;
     PluginKind kind;
     const char* name;     ///< [a-z0-9_]+, the name in level files.
     const char* summary;  ///< One sentence for lists and the manual.
-    const char* build;    ///< HW_PLUGIN_BUILD: compiler, C++ ABI, GLM version, assertions.
+    const char* build;    ///< HW_PLUGIN_BUILD: compiler, C++ ABI, GLM version, assertions, headers.
     Style* (*make_style)();
     ImagePass* (*make_image_pass)();
 };

@@ -11,8 +11,8 @@ struct Program {
     bool is_valid() const { return id != 0; }
 };
 
-/// Compiles shaders, each text once. File names are looked for in the style's own folder, then in the engine's shared
-/// shaders; "#include" works the same way. Throws hw::Error with file and line when a shader does not compile.
+/// Compiles shaders, each text once. File names are looked for in the style's own folder, in the kit, then among the
+/// engine's shaders; "#include" works the same way. Throws hw::Error with file and line when a shader does not compile.
 class ProgramCache {
  public:
     virtual ~ProgramCache() = default;

@@ -2,7 +2,6 @@
 
 #include "hatchway/param/param_visitor.hpp"
 #include "hatchway/style/colour.hpp"
-#include "hatchway/style/ink_look.hpp"
 #include "hatchway/style/needs.hpp"
 #include "hatchway/style/pass.hpp"
 #include "hatchway/style/plugin.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hatchway/param/map_kind.hpp"
 #include "hatchway/param/param_value.hpp"
 #include "hatchway/world/presence.hpp"
 #include "hatchway/world/scene.hpp"
@@ -29,7 +30,7 @@ struct AssignRule {
     std::optional<std::string> over;        ///< A second style drawn over the first with `presence`.
     std::optional<PresenceField> presence;  ///< Of `over`; the first style keeps the rest.
     std::optional<double> certainty;
-    std::map<std::string, std::string> maps;  ///< "hatch", "ink", "tonal" -> path relative to the level file.
+    std::map<MapKind, std::string> maps;  ///< Names of built-in maps, or paths relative to the level file.
     std::optional<bool> collides;
     std::string pointer;
 };

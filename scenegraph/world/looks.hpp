@@ -15,7 +15,7 @@ struct ObjectLook {
     std::string over;           ///< Empty: none.
     PresenceField presence;     ///< Of `over`.
     double certainty = 1.0;
-    std::map<std::string, std::string> maps;  ///< kind -> path relative to the level file.
+    std::map<MapKind, std::string> maps;  ///< As in AssignRule.
     bool collides = true;
 };
 

@@ -1,23 +1,33 @@
 #pragma once
 
+#include <optional>
+
 namespace hw {
 
-/// How much of a style an object shows, at each place and time: a field with values in [0, 1].
+/// A share that rises smoothly from 0 at `from` to 1 at `to`, which may be the lower one; equal ends make a step. Over a
+/// height in the world, in metres, or over time, in seconds.
+struct Ramp {
+    float from = 0.0f;
+    float to = 1.0f;
+
+    bool operator==(const Ramp&) const = default;
+};
+
+/// The ramp's share at `x`.
+double share_at(const Ramp& ramp, double x);
+
+/// How much of something shows, at each place and time: a field with values in [0, 1].
 /// value(p, t) = clamp(constant, 0, 1) * ramp over world height * ramp over time.
 /// A style and its counterpart show presence and 1 - presence of the same field.
 struct PresenceField {
     float constant = 1.0f;
-    bool has_height = false;
-    float from_m = 0.0f;  ///< World height y where the field is 0.
-    float to_m = 1.0f;    ///< World height y where it is `constant`; below `from_m` for a field that falls upward.
-    bool has_time = false;
-    float from_s = 0.0f;  ///< Time of the view where the field starts to rise.
-    float to_s = 1.0f;    ///< Time where it has risen.
+    std::optional<Ramp> height = {};  ///< Over world height y.
+    std::optional<Ramp> time = {};    ///< Over the time of the view.
 
     bool operator==(const PresenceField&) const = default;
 };
 
-/// The field at height `y_m` and time `t_s`. Ramps are smoothsteps; equal ends make a step.
+/// The field at height `y_m` and time `t_s`.
 float presence_at(const PresenceField& field, float y_m, double t_s);
 
 }  // namespace hw

@@ -71,8 +71,8 @@ struct FakePass final : Pass {
     void lines(const LineLook& look, Items items) override
     {
         drawn_lines += items.size();
-        last_look = look;
         for (const DrawItem& item : items) line_items.push_back(item);
+        line_looks.insert(line_looks.end(), items.size(), look);
     }
 
     View a_view;
@@ -81,7 +81,7 @@ struct FakePass final : Pass {
     std::size_t drawn_lines = 0;
     Program last_program;
     Uniforms last_uniforms;
-    LineLook last_look;
+    std::vector<LineLook> line_looks;  ///< One for each of `line_items`.
     std::vector<DrawItem> line_items;
 };
 

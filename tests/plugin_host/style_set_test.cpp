@@ -158,7 +158,7 @@ TEST_F(style_set, hybrid_lines_fade_over_the_height_of_each_object)
     items[0].bounds_world.add(glm::dvec3(1, 5, 1));
     style.lines(pass, items);
     ASSERT_EQ(pass.line_items.size(), 2u);
-    EXPECT_TRUE(pass.line_items[0].presence.has_height);
-    EXPECT_FLOAT_EQ(pass.line_items[0].presence.from_m, 2.0f);
-    EXPECT_FLOAT_EQ(pass.line_items[0].presence.to_m, 3.0f);
+    ASSERT_TRUE(pass.line_looks[0].share.height);
+    EXPECT_FLOAT_EQ(pass.line_looks[0].share.height->from, 2.0f);
+    EXPECT_FLOAT_EQ(pass.line_looks[0].share.height->to, 3.0f);
 }

@@ -146,8 +146,7 @@ TEST_F(frame, presence_rises_with_height)
     add_object(scene_, box_mesh({2.0f, 2.0f, 2.0f}), kHere, painted(glm::vec3(1.0f)));
     TestStyle black(glm::vec3(0.0f));
     TestStyle white(glm::vec3(1.0f));
-    StyledObject look{
-        .style = 0, .over = 1, .presence = {.constant = 1.0f, .has_height = true, .from_m = -0.8f, .to_m = 0.8f}};
+    StyledObject look{.style = 0, .over = 1, .presence = {.height = Ramp{-0.8f, 0.8f}}};
     load({{"black", &black}, {"white", &white}}, {look});
     const Pixels pixels = draw(view_from({0, 0, 4}, {0, 0, 0}));
     keep_picture(pixels, "frame_presence");

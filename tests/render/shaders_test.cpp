@@ -20,6 +20,7 @@ namespace f = surface_feature;
 
 const fs::path kEngineShaders = fs::path(HATCHWAY_SOURCE_DIR) / "scenegraph/render/shaders";
 const fs::path kPlugins = fs::path(HATCHWAY_SOURCE_DIR) / "npr_plugins";
+const fs::path kKit = kPlugins / "kit";
 
 constexpr SurfaceFeatures maps_on(SurfaceFeatures uv_set)
 {
@@ -41,11 +42,11 @@ const std::map<std::string, SurfaceFeatures> kCombinations = {
                   SurfaceFeatures(1) << f::kSunCountBit | f::kDoubleSided},
     {"baked_per_vertex",
      SurfaceFeatures(2) << f::kLightmapBit | SurfaceFeatures(1) << f::kLightCountBit | f::kDoubleSided},
-    {"mapped", f::kUv0 | f::kHatchMap | f::kInkMap | f::kTonalMap | SurfaceFeatures(1) << f::kLightCountBit},
+    {"mapped", f::kUv0 | f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) | f::map_of(MapKind::ramp) | f::map_of(MapKind::image) | SurfaceFeatures(1) << f::kLightCountBit},
     {"streamed",
-     f::kUv0 | f::kHatchUv | f::kDirection | f::kInkMap | f::kHatchMap | SurfaceFeatures(2) << f::kLightmapBit},
-    {"streamed_without_uv", f::kHatchUv | f::kTonalMap | f::kShadow | SurfaceFeatures(1) << f::kLightCountBit},
-    {"mapped_without_uv", f::kHatchMap | f::kInkMap | f::kTonalMap | f::kShadow | f::kUnlit | f::kPresence},
+     f::kUv0 | f::kHatchUv | f::kDirection | f::map_of(MapKind::ink) | f::map_of(MapKind::hatch) | SurfaceFeatures(2) << f::kLightmapBit},
+    {"streamed_without_uv", f::kHatchUv | f::map_of(MapKind::tonal) | f::kShadow | SurfaceFeatures(1) << f::kLightCountBit},
+    {"mapped_without_uv", f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) | f::map_of(MapKind::image) | f::kShadow | f::kUnlit | f::kPresence},
 };
 
 std::string text_of(const fs::path& file)
@@ -86,7 +87,7 @@ std::vector<std::string> defines_in(const fs::path& folder)
 
 void compile_folder(const fs::path& folder, bool is_es, int& compiled)
 {
-    const std::vector<fs::path> folders{folder, kEngineShaders};
+    const std::vector<fs::path> folders{folder, kKit, kEngineShaders};
     for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
         if (file.path().extension() != ".frag") continue;
         const std::string fragment = shader_name(file.path());

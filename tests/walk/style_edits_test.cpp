@@ -97,7 +97,7 @@ TEST(style_rules, what_the_level_already_says_needs_no_rule)
 
 TEST(style_rules, a_hybrid_look_can_be_restored_in_full)
 {
-    const hw::StyleChoice rising{"assumed", "excavated", {.has_height = true, .from_m = 2.0f, .to_m = 0.5f}};
+    const hw::StyleChoice rising{"assumed", "excavated", {.height = hw::Ramp{2.0f, 0.5f}}};
     const hw::Scene scene = hall();
     EXPECT_EQ(after({}, scene, {{2, rising}})[2], rising);
 }

@@ -45,14 +45,14 @@ TEST(looks, one_style_serves_brick_plank_and_tile_with_a_map_for_each)
         scene.objects.push_back({.node = 1, .mesh = 0, .material = material});
     hw::Level level;
     level.assign = {{.nodes = "*", .style = "drawn"},
-                    {.materials = "Brick*", .maps = {{"ink", "brick"}}},
-                    {.materials = "Plank", .maps = {{"ink", "plank"}, {"hatch", "fine"}}},
-                    {.materials = "*Tile", .maps = {{"ink", "tile"}}}};
+                    {.materials = "Brick*", .maps = {{hw::MapKind::ink, "brick"}}},
+                    {.materials = "Plank", .maps = {{hw::MapKind::ink, "plank"}, {hw::MapKind::hatch, "fine"}}},
+                    {.materials = "*Tile", .maps = {{hw::MapKind::ink, "tile"}}}};
     const auto looks = hw::resolve_looks(level, scene, "photoreal");
     for (const hw::ObjectLook& look : looks) EXPECT_EQ(look.style, "drawn");
-    EXPECT_EQ(looks[0].maps, (std::map<std::string, std::string>{{"ink", "brick"}}));
-    EXPECT_EQ(looks[1].maps, (std::map<std::string, std::string>{{"ink", "plank"}, {"hatch", "fine"}}));
-    EXPECT_EQ(looks[2].maps, (std::map<std::string, std::string>{{"ink", "tile"}}));
+    EXPECT_EQ(looks[0].maps, (std::map<hw::MapKind, std::string>{{hw::MapKind::ink, "brick"}}));
+    EXPECT_EQ(looks[1].maps, (std::map<hw::MapKind, std::string>{{hw::MapKind::ink, "plank"}, {hw::MapKind::hatch, "fine"}}));
+    EXPECT_EQ(looks[2].maps, (std::map<hw::MapKind, std::string>{{hw::MapKind::ink, "tile"}}));
     EXPECT_TRUE(looks[3].maps.empty());
 }
 

@@ -91,11 +91,11 @@ class InkedLevel {
         input.scene = &world_->scene;
         input.styles = {{kind.name, kind.style.get()}};
         for (const auto& [map_kind, name] : kind.style->needs().maps)
-            if (!name.value.empty()) input.named_maps[name.value] = maps_.use(level_, map_kind, name.value, "");
+            if (!name.value.empty()) input.named_maps[{map_kind, name.value}] = maps_.use(level_, map_kind, name.value, "");
         for (const ObjectLook& look : looks_) {
             StyledObject object;
             object.style = 0;
-            if (const auto ink = look.maps.find("ink"); kind.has_ink_maps && ink != look.maps.end())
+            if (const auto ink = look.maps.find(MapKind::ink); kind.has_ink_maps && ink != look.maps.end())
                 object.maps[MapKind::ink] = maps_.use(level_, MapKind::ink, ink->second, "/assign");
             if (kind.hatch_map != kNone) object.maps[MapKind::hatch] = kind.hatch_map;
             input.objects.push_back(std::move(object));

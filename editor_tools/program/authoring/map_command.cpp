@@ -56,9 +56,8 @@ void write_map(const MapLevels& map, const MapArguments& arguments)
     const Pixels preview = arguments.preview.empty() ? Pixels() : map_preview(map);
     make_folder(arguments.folder);
     for (std::size_t i = 0; i < map.levels.size(); ++i) write_png(level_file(arguments.folder, i), map.levels[i]);
-    constexpr const char* kKinds[] = {"hatch", "ink", "tonal"};
     JsonValue json = JsonValue::object();
-    json.set("format", "hatchway-map/1").set("kind", kKinds[static_cast<int>(map.kind)]);
+    json.set("format", "hatchway-map/1").set("kind", std::string(facts_of(map.kind).name));
     json.set("levels", static_cast<int>(map.levels.size())).set("size_m", map.size_m);
     if (map.kind == MapKind::hatch) json.set("spacing_texels", map.spacing_texels);
     write_json(arguments.folder / kMapFile, json);

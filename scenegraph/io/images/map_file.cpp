@@ -19,8 +19,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view kFormat = "hatchway-map/1";
-constexpr std::array<std::string_view, 5> kKindNames{"hatch", "ink", "tonal", "ramp", "image"};  // as enum MapKind
-constexpr std::size_t kAuthoredKinds = 3;
 constexpr std::array<std::string_view, 5> kKeys{"format", "kind", "levels", "size_m", "spacing_texels"};
 constexpr std::uint64_t kMaxMapFileBytes = 1 << 16;
 constexpr int kMaxLevels = 15;  // of a map 16384 texels wide
@@ -48,12 +46,13 @@ class MapDescription {
 
     MapKind kind() const
     {
-        const auto names = std::span(kKindNames).first(kAuthoredKinds);
         const json& value = at("kind");
-        const auto found =
-            value.is_string() ? std::ranges::find(names, value.get_ref<const std::string&>()) : names.end();
-        if (found == names.end()) refuse("kind", fmt::format("one of: {}", fmt::join(names, ", ")), value);
-        return static_cast<MapKind>(found - names.begin());
+        const std::string stated = value.is_string() ? value.get<std::string>() : "";
+        const auto found = std::ranges::find(kMapKinds, stated, &MapKindFacts::name);
+        if (found != kMapKinds.end()) return static_cast<MapKind>(found - kMapKinds.begin());
+        std::vector<std::string_view> names;
+        for (const MapKindFacts& kind : kMapKinds) names.push_back(kind.name);
+        refuse("kind", fmt::format("one of: {}", fmt::join(names, ", ")), value);
     }
 
     int level_count() const
@@ -100,8 +99,10 @@ void check_level(const MapLevels& map, const Pixels& level, const std::string& f
                      .file = file,
                      .expected = std::move(expected)});
     };
-    if (level.channels != 1) refuse("a gray image without alpha");
-    if (map.kind == MapKind::hatch && level.height != 1) refuse("a hatch map one texel high");
+    const MapKindFacts& kind = facts_of(map.kind);
+    if (level.channels != 1 && !kind.is_colour) refuse("a gray image without alpha");
+    if (level.height != 1 && kind.is_strip) refuse(fmt::format("a {} map one texel high", kind.name));
+    if (!map.levels.empty() && kind.is_lone) refuse(fmt::format("a {} map of one level", kind.name));
     if (map.levels.empty()) return;
     const int width = std::max(map.levels.back().width / 2, 1);
     const int height = std::max(map.levels.back().height / 2, 1);
@@ -138,7 +139,7 @@ MapLevels read_map(const fs::path& folder)
 fs::path find_map(const Level& level, MapKind kind, const std::string& name, const std::string& pointer)
 {
     const fs::path built_in =
-        installation_prefix() / "share" / "hatchway" / "maps" / kKindNames[static_cast<std::size_t>(kind)] / name;
+        installation_prefix() / "share" / "hatchway" / "maps" / facts_of(kind).name / name;
     const fs::path folder = is_plain_name(name) ? built_in
                                                 : resolve_inside(level.project_root, level.file.parent_path(), name,
                                                                  level.file.string(), pointer);

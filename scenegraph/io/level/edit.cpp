@@ -26,9 +26,9 @@ std::string quoted(const std::string& text)
 std::string presence_text(const PresenceField& field)
 {
     std::string text = fmt::format("{{\"constant\": {}", field.constant);
-    if (field.has_height)
-        text += fmt::format(", \"height\": {{\"from_m\": {}, \"to_m\": {}}}", field.from_m, field.to_m);
-    if (field.has_time) text += fmt::format(", \"time\": {{\"from_s\": {}, \"to_s\": {}}}", field.from_s, field.to_s);
+    if (field.height)
+        text += fmt::format(", \"height\": {{\"from_m\": {}, \"to_m\": {}}}", field.height->from, field.height->to);
+    if (field.time) text += fmt::format(", \"time\": {{\"from_s\": {}, \"to_s\": {}}}", field.time->from, field.time->to);
     return text + '}';
 }
 

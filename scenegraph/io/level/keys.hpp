@@ -23,7 +23,6 @@ struct LevelRange {
 
 inline constexpr std::string_view kLevelFormat = "hatchway-level/1";
 inline constexpr std::array<std::string_view, 3> kLightTypes{"sun", "point", "spot"};  // as enum LightType
-inline constexpr std::array<std::string_view, 3> kMapKinds{"hatch", "ink", "tonal"};
 inline constexpr LevelRange kMetres{-1e9, 1e9};
 inline constexpr LevelRange kSeconds{0.0, 1e6};
 inline constexpr LevelRange kFraction{0.0, 1.0};
@@ -31,14 +30,14 @@ inline constexpr LevelRange kFieldOfView{1.0, 170.0};
 
 /// "maps" of an assign entry: paths by kind.
 struct MapPaths {
-    std::map<std::string, std::string>& paths;
+    std::map<MapKind, std::string>& paths;
 };
 
 struct HeightRamp {
-    PresenceField& field;
+    Ramp ramp;
 };
 struct TimeRamp {
-    PresenceField& field;
+    Ramp ramp;
 };
 
 // visit_keys(visitor, object) lists the keys of an object once: the reader fills them from a file, the schema writer
@@ -78,34 +77,34 @@ void visit_keys(Visitor& v, CameraPath& path)
 template <typename Visitor>
 void visit_keys(Visitor& v, HeightRamp& ramp)
 {
-    v.real({"from_m", "World height where the field is 0.", true}, kMetres, ramp.field.from_m);
-    v.real({"to_m", "World height where it has risen; may be the lower one.", true}, kMetres, ramp.field.to_m);
+    v.real({"from_m", "World height where the field is 0.", true}, kMetres, ramp.ramp.from);
+    v.real({"to_m", "World height where it has risen; may be the lower one.", true}, kMetres, ramp.ramp.to);
 }
 
 template <typename Visitor>
 void visit_keys(Visitor& v, TimeRamp& ramp)
 {
-    v.real({"from_s", "Time where the field starts to rise.", true}, kSeconds, ramp.field.from_s);
-    v.real({"to_s", "Time where it has risen.", true}, kSeconds, ramp.field.to_s);
+    v.real({"from_s", "Time where the field starts to rise.", true}, kSeconds, ramp.ramp.from);
+    v.real({"to_s", "Time where it has risen.", true}, kSeconds, ramp.ramp.to);
 }
 
 template <typename Visitor>
 void visit_keys(Visitor& v, PresenceField& field)
 {
-    HeightRamp height{field};
-    TimeRamp time{field};
+    HeightRamp height;
+    TimeRamp time;
     v.real({"constant", "How much of the style shows, everywhere."}, kFraction, field.constant);
-    field.has_height = v.object({"height", "A ramp over world height."}, height);
-    field.has_time = v.object({"time", "A ramp over time."}, time);
+    if (v.object({"height", "A ramp over world height."}, height)) field.height = height.ramp;
+    if (v.object({"time", "A ramp over time."}, time)) field.time = time.ramp;
 }
 
 template <typename Visitor>
 void visit_keys(Visitor& v, MapPaths& maps)
 {
-    for (const std::string_view kind : kMapKinds) {
+    for (std::size_t kind = 0; kind < kMapKindCount; ++kind) {
         std::string path;
-        if (v.text({kind, "A map's folder, relative to the level file, or the name of a built-in map."}, path))
-            maps.paths.emplace(kind, path);
+        if (v.text({kMapKinds[kind].name, kMapKinds[kind].help}, path))
+            maps.paths.emplace(static_cast<MapKind>(kind), path);
     }
 }
 

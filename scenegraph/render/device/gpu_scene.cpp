@@ -177,16 +177,23 @@ WrapMode wrap_mode(TextureWrap wrap)
 
 GpuMap upload_map(const MapLevels& map)
 {
+    const MapKindFacts& kind = facts_of(map.kind);
     const Pixels& finest = map.levels.front();
+    // A picture of one level, as painting programs save it, gets the others here; strips need none.
+    const bool makes_levels = kind.is_colour && !kind.is_strip && map.levels.size() == 1;
+    const WrapMode wrap = kind.repeats ? WrapMode::repeat : WrapMode::clamp;
     GpuMap gpu;
-    gpu.texture = GpuTexture({.format = TextureFormat::r8,
+    gpu.texture = GpuTexture({.format = kind.is_colour ? TextureFormat::srgb8_alpha8 : TextureFormat::r8,
                               .size_px = {finest.width, finest.height},
-                              .levels = static_cast<int>(map.levels.size()),
-                              .wrap_u = WrapMode::repeat,
-                              .wrap_v = WrapMode::repeat,
+                              .levels = makes_levels ? 0 : static_cast<int>(map.levels.size()),
+                              .wrap_u = wrap,
+                              .wrap_v = wrap,
                               .filter = FilterMode::trilinear});
-    for (std::size_t i = 0; i < map.levels.size(); ++i)
-        gpu.texture.upload(static_cast<int>(i), std::as_bytes(std::span(map.levels[i].bytes)));
+    for (std::size_t i = 0; i < map.levels.size(); ++i) {
+        const std::vector<std::uint8_t> bytes = kind.is_colour ? as_rgba(map.levels[i]) : map.levels[i].bytes;
+        gpu.texture.upload(static_cast<int>(i), std::as_bytes(std::span(bytes)));
+    }
+    if (makes_levels) gpu.texture.make_levels();
     const auto size_m = static_cast<float>(map.size_m > 0.0 ? map.size_m : 1.0);
     const float width = static_cast<float>(finest.width);
     const float height = static_cast<float>(finest.height);

@@ -42,7 +42,7 @@ struct GpuMaterial {
 
 struct GpuMap {
     GpuTexture texture;
-    glm::vec4 info{1.0f};  ///< hw_hatch_info, hw_ink_info or hw_tonal_info of surface.glsl.
+    glm::vec4 info{1.0f};  ///< hw_..._info of surface.glsl.
 };
 
 /// A mesh with the streams that a style asks for.

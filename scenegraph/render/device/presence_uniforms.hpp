@@ -1,8 +1,15 @@
 #pragma once
 
-#include "hatchway/style/draw_item.hpp"
+#include <glm/vec4.hpp>
+
+#include "hatchway/drawing/frame_items.hpp"
 
 namespace hw {
+
+/// Whether a field is other than 1 somewhere.
+bool varies(const PresenceField& field);
+/// The argument of hw_share_at() in shaders/presence.glsl.
+glm::vec4 share_uniform(const PresenceField& field, double time_s);
 
 /// Whether an item's presence is other than 1 everywhere.
 bool has_presence(const DrawItem& item);

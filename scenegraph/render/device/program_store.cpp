@@ -17,7 +17,7 @@ SurfaceLocations locations_of(const GpuProgram& program)
 {
     const auto at = [&](const char* name) { return program.location(name); };
     const auto unit = [&](const char* name) { return program.unit(name); };
-    return {.clip_from_object = at("hw_clip_from_object"),
+    SurfaceLocations found{.clip_from_object = at("hw_clip_from_object"),
             .relative_from_object = at("hw_relative_from_object"),
             .normal_from_object = at("hw_normal_from_object"),
             .certainty = at("hw_certainty"),
@@ -34,20 +34,29 @@ SurfaceLocations locations_of(const GpuProgram& program)
             .normal_uv = at("hw_normal_uv"),
             .occlusion_uv = at("hw_occlusion_uv"),
             .emissive_uv = at("hw_emissive_uv"),
-            .hatch_info = at("hw_hatch_info"),
-            .ink_info = at("hw_ink_info"),
-            .tonal_info = at("hw_tonal_info"),
             .unit_base_colour = unit("hw_base_colour_map"),
             .unit_metallic_roughness = unit("hw_metallic_roughness_map"),
             .unit_normal = unit("hw_normal_map"),
             .unit_occlusion = unit("hw_occlusion_map"),
             .unit_emissive = unit("hw_emissive_map"),
-            .unit_hatch = unit("hw_hatch_map"),
-            .unit_ink = unit("hw_ink_map"),
-            .unit_tonal = unit("hw_tonal_map"),
             .unit_shadow = unit("hw_shadow_map"),
             .unit_lightmap = unit("hw_lightmap"),
             .lightmap_place = at("hw_lightmap_place")};
+    for (std::size_t kind = 0; kind < kMapKindCount; ++kind) {
+        const std::string name = "hw_" + std::string(kMapKinds[kind].name);
+        found.map_info[kind] = program.location(name + "_info");
+        found.unit_map[kind] = program.unit(name + "_map");
+    }
+    return found;
+}
+
+/// HW_INK_MAP
+std::string map_define(std::string_view kind)
+{
+    std::string name = "HW_" + std::string(kind) + "_MAP";
+    for (char& c : name)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return name;
 }
 
 /// surface.glsl holds one discard, that of the alpha mask.
@@ -63,7 +72,7 @@ bool has_own_discard(const ShaderText& fragment)
 std::string feature_defines(SurfaceFeatures features)
 {
     namespace f = surface_feature;
-    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 17> kFlags = {{
+    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 14> kFlags = {{
         {f::kUv0, "HW_HAS_UV0"},
         {f::kUv1, "HW_HAS_UV1"},
         {f::kTangents, "HW_HAS_TANGENTS"},
@@ -72,9 +81,6 @@ std::string feature_defines(SurfaceFeatures features)
         {f::kAlphaBlend, "HW_ALPHA_BLEND"},
         {f::kDoubleSided, "HW_DOUBLE_SIDED"},
         {f::kUnlit, "HW_UNLIT"},
-        {f::kHatchMap, "HW_HATCH_MAP"},
-        {f::kInkMap, "HW_INK_MAP"},
-        {f::kTonalMap, "HW_TONAL_MAP"},
         {f::kPresence, "HW_PRESENCE"},
         {f::kShadow, "HW_SHADOW"},
         {f::kSpotLights, "HW_SPOT_LIGHTS"},
@@ -93,6 +99,9 @@ std::string feature_defines(SurfaceFeatures features)
     std::string text;
     for (const auto& [bit, name] : kFlags)
         if (features & bit) text += std::string("#define ") + name + " 1\n";
+    for (std::size_t kind = 0; kind < kMapKindCount; ++kind)
+        if (features & f::map_of(static_cast<MapKind>(kind)))
+            text += "#define " + map_define(kMapKinds[kind].name) + " 1\n";
     for (const auto& [shift, name] : kMaps)
         if (const auto set = (features >> shift) & 3; set != 0)
             text += std::string("#define ") + name + " " + std::to_string(set) + "\n";
@@ -127,7 +136,8 @@ class ProgramStore::FolderCache final : public ProgramCache {
     fs::path folder_;
 };
 
-ProgramStore::ProgramStore(fs::path engine_folder, bool is_es) : engine_folder_(std::move(engine_folder)), is_es_(is_es)
+ProgramStore::ProgramStore(fs::path engine_folder, fs::path kit_folder, bool is_es)
+    : engine_folder_(std::move(engine_folder)), kit_folder_(std::move(kit_folder)), is_es_(is_es)
 {
     plain_ = add(engine_folder_, kSurfaceVertexFile, "plain.frag", {});
 }
@@ -149,7 +159,7 @@ Program ProgramStore::add(const fs::path& folder, std::string_view vertex_file, 
     if (const auto found = family_of_key_.find(key); found != family_of_key_.end()) return {found->second};
 
     auto family = std::make_unique<Family>();
-    family->folders = {folder, engine_folder_};
+    family->folders = {folder, kit_folder_, engine_folder_};
     family->vertex_file = vertex_file;
     family->fragment_file = fragment_file;
     family->defines = defines;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "hatchway/gl/gpu_program.hpp"
+#include "hatchway/param/map_kind.hpp"
 #include "hatchway/style/program_cache.hpp"
 
 namespace hw {
@@ -26,9 +28,6 @@ inline constexpr SurfaceFeatures kAlphaMask = 1u << 4;
 inline constexpr SurfaceFeatures kAlphaBlend = 1u << 5;
 inline constexpr SurfaceFeatures kDoubleSided = 1u << 6;
 inline constexpr SurfaceFeatures kUnlit = 1u << 7;
-inline constexpr SurfaceFeatures kHatchMap = 1u << 8;
-inline constexpr SurfaceFeatures kInkMap = 1u << 9;
-inline constexpr SurfaceFeatures kTonalMap = 1u << 10;
 inline constexpr SurfaceFeatures kPresence = 1u << 11;
 inline constexpr SurfaceFeatures kShadow = 1u << 12;
 inline constexpr SurfaceFeatures kSpotLights = 1u << 13;
@@ -46,6 +45,9 @@ inline constexpr int kSunCountBit = 30;
 inline constexpr int kLightmapBit = 34;
 inline constexpr SurfaceFeatures kHatchUv = SurfaceFeatures(1) << 37;
 inline constexpr SurfaceFeatures kDirection = SurfaceFeatures(1) << 38;
+/// One bit for each kind of map, in the order of kMapKinds.
+inline constexpr int kMapBit = 40;
+constexpr SurfaceFeatures map_of(MapKind kind) { return SurfaceFeatures(1) << (kMapBit + static_cast<int>(kind)); }
 }  // namespace surface_feature
 
 /// Where a surface program's uniforms stand; -1 where the program does not use one.
@@ -54,10 +56,10 @@ struct SurfaceLocations {
     int certainty, handedness, hatch_scale, base_colour_factor, mean_colour, material_factors, emissive_normal;
     int presence_height, presence_inverted;
     int base_colour_uv, metallic_roughness_uv, normal_uv, occlusion_uv, emissive_uv;
-    int hatch_info, ink_info, tonal_info;
     int unit_base_colour, unit_metallic_roughness, unit_normal, unit_occlusion, unit_emissive;
-    int unit_hatch, unit_ink, unit_tonal, unit_shadow, unit_lightmap;
+    int unit_shadow, unit_lightmap;
     int lightmap_place;
+    std::array<int, kMapKindCount> map_info, unit_map;  ///< By kind of map.
 };
 
 struct LinkedProgram {
@@ -68,8 +70,8 @@ struct LinkedProgram {
 /// All programs of a renderer: styles' and the engine's own. Ids stay valid when files are read anew.
 class ProgramStore {
  public:
-    /// `engine_folder` holds the engine's shaders.
-    ProgramStore(std::filesystem::path engine_folder, bool is_es);
+    /// `engine_folder` holds the engine's shaders, `kit_folder` what styles share beside: each style's shaders find both.
+    ProgramStore(std::filesystem::path engine_folder, std::filesystem::path kit_folder, bool is_es);
     ~ProgramStore();
 
     /// Lives as long as the store.
@@ -100,6 +102,7 @@ class ProgramStore {
     const LinkedProgram* variant(Family& family, SurfaceFeatures features);
 
     std::filesystem::path engine_folder_;
+    std::filesystem::path kit_folder_;
     bool is_es_;
     int compiled_count_ = 0;
     std::vector<std::unique_ptr<Family>> families_;  ///< Program id - 1 -> family.

@@ -7,9 +7,10 @@ namespace {
 
 SurfaceFeatures map_features(const ItemMaps& maps)
 {
-    namespace f = surface_feature;
-    return (maps.hatch == kNone ? 0 : f::kHatchMap) | (maps.ink == kNone ? 0 : f::kInkMap) |
-           (maps.tonal == kNone ? 0 : f::kTonalMap);
+    SurfaceFeatures features = 0;
+    for (std::size_t kind = 0; kind < kMapKindCount; ++kind)
+        if (maps[kind] != kNone) features |= surface_feature::map_of(static_cast<MapKind>(kind));
+    return features;
 }
 
 /// Baked light holds its shadows.
@@ -33,13 +34,12 @@ SurfaceFeatures mask_features(const GpuMesh& mesh, const GpuMaterial& material)
 
 ItemMaps choose_maps(const std::map<MapKind, int>& of_object, const std::map<MapKind, int>& of_style)
 {
-    const auto choose = [&](MapKind kind) {
-        const auto own = of_object.find(kind);
-        if (own != of_object.end() && own->second != kNone) return own->second;
-        const auto style = of_style.find(kind);
-        return style == of_style.end() ? kNone : style->second;
-    };
-    return {choose(MapKind::hatch), choose(MapKind::ink), choose(MapKind::tonal)};
+    ItemMaps chosen;
+    chosen.fill(kNone);
+    for (const auto* maps : {&of_style, &of_object})
+        for (const auto& [kind, index] : *maps)
+            if (index != kNone) chosen[static_cast<std::size_t>(kind)] = index;
+    return chosen;
 }
 
 void set_uniforms(const GpuProgram& program, const Uniforms& uniforms, GpuState& state)
@@ -134,7 +134,7 @@ void SurfaceDrawer::set_object(const LinkedProgram& program, const SurfaceItem& 
     GpuProgram::set(at.relative_from_object, item.object->relative_from_object);
     GpuProgram::set(at.normal_from_object, item.object->normal_from_object);
     GpuProgram::set(at.handedness, item.object->handedness);
-    GpuProgram::set(at.certainty, item.item->certainty);
+    GpuProgram::set(at.certainty, item.item->certainty());
     set_presence(at.presence_height, at.presence_inverted, *item.item, time_s);
 }
 
@@ -169,15 +169,12 @@ void SurfaceDrawer::set_lightmap(const LinkedProgram& program, const GpuLightmap
 
 void SurfaceDrawer::set_maps(const LinkedProgram& program, const SurfaceItem& item)
 {
-    const auto set = [&](int index, int unit, int info) {
-        if (unit < 0 || index == kNone) return;
-        const GpuMap& map = scene_.map(index);
-        state_.bind_texture(unit, map.texture.id());
-        GpuProgram::set(info, map.info);
-    };
-    set(item.maps.hatch, program.at.unit_hatch, program.at.hatch_info);
-    set(item.maps.ink, program.at.unit_ink, program.at.ink_info);
-    set(item.maps.tonal, program.at.unit_tonal, program.at.tonal_info);
+    for (std::size_t kind = 0; kind < kMapKindCount; ++kind) {
+        if (program.at.unit_map[kind] < 0 || item.maps[kind] == kNone) continue;
+        const GpuMap& map = scene_.map(item.maps[kind]);
+        state_.bind_texture(program.at.unit_map[kind], map.texture.id());
+        GpuProgram::set(program.at.map_info[kind], map.info);
+    }
 }
 
 }  // namespace hw

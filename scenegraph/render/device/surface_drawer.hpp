@@ -13,12 +13,8 @@
 
 namespace hw {
 
-/// The maps of an item: indices into SceneInput::maps, or kNone.
-struct ItemMaps {
-    int hatch = kNone;
-    int ink = kNone;
-    int tonal = kNone;
-};
+/// The maps of an item by kind: indices into SceneInput::maps, or kNone.
+using ItemMaps = std::array<int, kMapKindCount>;
 
 /// What an object's look names, and where it names none of a kind, what its style does.
 ItemMaps choose_maps(const std::map<MapKind, int>& of_object, const std::map<MapKind, int>& of_style);

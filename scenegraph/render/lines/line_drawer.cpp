@@ -125,6 +125,7 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
     GpuProgram::set(program.gpu->location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
     GpuProgram::set(program.gpu->location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
     GpuProgram::set(program.gpu->location("hw_line_fold"), glm::vec3(look.fold_weight, run.crease_rad, kWholeFold));
+    GpuProgram::set(program.gpu->location("hw_line_share"), share_uniform(look.share, frame.view.time_s));
     const StrokeCharacter& stroke = look.stroke;
     GpuProgram::set(
         program.gpu->location("hw_stroke_px"),
@@ -140,16 +141,16 @@ void LineDrawer::draw(const LineFrame& frame, const LineRun& run, EdgeStore& edg
     const LinePath path = path_for(frame, look);
     const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, run, edges);
     for (const bool with_presence : {false, true}) {
-        const bool is_needed = std::any_of(items.begin(), items.end(), [&](const LineItem& item) {
-            return has_presence(*item.item) == with_presence;
-        });
-        if (!is_needed) continue;
+        const auto is_now = [&](const LineItem& item) {
+            return (has_presence(*item.item) || varies(look.share)) == with_presence;
+        };
+        if (std::none_of(items.begin(), items.end(), is_now)) continue;
         for (const LineProgram& program : programs_for(path, look, with_presence)) {
             set_look(program, frame, run);
             for (std::size_t i = 0; i < items.size(); ++i) {
                 const LineMesh* lines = edges.lines(items[i].object->object);
                 const DrawItem& item = *items[i].item;
-                if (lines == nullptr || has_presence(item) != with_presence) continue;
+                if (lines == nullptr || !is_now(items[i])) continue;
                 if (!shows_at_all(item, frame.view.time_s)) continue;
                 const Surface& surface = *edges.surface(items[i].object->object);
                 draw_item(program, frame, look, items[i], *lines, lines->buffer,

@@ -12,7 +12,7 @@
 //   HW_HAS_HATCH_UV HW_HAS_DIRECTION                               streams that the style asked for
 //   HW_BASE_COLOUR_MAP HW_METALLIC_ROUGHNESS_MAP HW_NORMAL_MAP HW_OCCLUSION_MAP HW_EMISSIVE_MAP   textures of the material
 //   HW_ALPHA_MASK HW_ALPHA_BLEND HW_DOUBLE_SIDED HW_UNLIT          other features of the material
-//   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP                           the object has a map of that kind: hw_hatch_map ...
+//   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP HW_RAMP_MAP HW_IMAGE_MAP  the object has a map of that kind: hw_hatch_map ...
 //   HW_PRESENCE                                                    presence is not 1 everywhere
 //   HW_SHADOW                                                      the main light has a shadow map (shadow.glsl)
 //   HW_LIGHTMAP                                                    the object has baked light (baked.glsl)
@@ -85,6 +85,14 @@ uniform vec4 hw_ink_info;        // x map widths per metre, y height / width, z 
 #ifdef HW_TONAL_MAP
 uniform sampler2D hw_tonal_map;  // square tones side by side, darkest last
 uniform vec4 hw_tonal_info;      // x tone widths per metre, y tones, z texels of the whole width, w levels
+#endif
+#ifdef HW_RAMP_MAP
+uniform sampler2D hw_ramp_map;   // a strip of colours, dark tones first
+uniform vec4 hw_ramp_info;       // z texels of the width
+#endif
+#ifdef HW_IMAGE_MAP
+uniform sampler2D hw_image_map;
+uniform vec4 hw_image_info;      // x map widths per metre, y height / width, z texels of the width, w levels
 #endif
 
 struct HwSurface {
@@ -247,6 +255,32 @@ HwMaterial hw_material(HwSurface s)
 #endif
     m.normal_world = hw_mapped_normal(s);
     return m;
+}
+
+// The colour that the object's ramp gives a tone in [0, 1], linear: from the middle of its first texel to that of its last.
+// The tone itself where the object has no ramp.
+vec3 hw_ramp(float tone)
+{
+#ifdef HW_RAMP_MAP
+    float at = (clamp(tone, 0.0, 1.0) * (hw_ramp_info.z - 1.0) + 0.5) / hw_ramp_info.z;
+    return textureLod(hw_ramp_map, vec2(at, 0.5), 0.0).rgb;
+#else
+    return vec3(tone);
+#endif
+}
+
+// The object's image map here, linear. White where the object has none.
+vec3 hw_image(HwSurface s)
+{
+#ifdef HW_IMAGE_MAP
+    vec2 per_metre = hw_image_info.x * vec2(1.0, 1.0 / hw_image_info.y);
+#ifndef HW_HAS_UV0
+    per_metre.y = -per_metre.y;  // hatch_uv points up, pictures go down
+#endif
+    return textureGrad(hw_image_map, s.map_uv * per_metre, s.map_uv_dx * per_metre, s.map_uv_dy * per_metre).rgb;
+#else
+    return vec3(1.0);
+#endif
 }
 
 // How much this style shows here, in [0, 1]. Two styles of one object show presence and 1 - presence.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hatchway/drawing/styled_object.hpp"
@@ -19,6 +20,9 @@ struct Visibility;  // world/visibility/visibility.hpp
 /// Makes, sets and prepares the image pass that a key names; null when there is none of that name.
 using ImagePassSource = std::function<std::unique_ptr<ImagePass>(const ImageKey&)>;
 
+/// Maps by kind and name: indices into SceneInput::maps.
+using NamedMaps = std::map<std::pair<MapKind, std::string>, int>;
+
 /// Everything a level shows. Pointers stay the caller's and must live until the next load().
 struct SceneInput {
     const Scene* scene = nullptr;
@@ -28,7 +32,7 @@ struct SceneInput {
     std::span<const MeshChunks> chunks;      ///< One for each mesh; empty: meshes are drawn whole.
     const Lightmap* lightmap = nullptr;      ///< Baked light; its stream has been added to the scene's meshes.
     std::vector<const MapLevels*> maps;      ///< What StyledObject::maps points at.
-    std::map<std::string, int> named_maps;   ///< Needs::maps: a map's name -> index into `maps`.
+    NamedMaps named_maps;                    ///< What Needs::maps name.
     std::vector<Light> lights;
     float exposure_ev = 0.0f;  ///< EV 100; the picture is scaled by 1 / (1.2 * 2^EV).
     glm::vec3 background_srgb{1.0f};

@@ -190,7 +190,7 @@ TEST(level_edit, brackets_quotes_and_comment_signs_in_texts_do_not_confuse_it)
 TEST(level_edit, a_hybrid_is_written_with_its_presence)
 {
     const EditedLevel level;
-    const hw::PresenceField presence{.constant = 0.5f, .has_height = true, .from_m = 0.1f, .to_m = 3.0f};
+    const hw::PresenceField presence{.constant = 0.5f, .height = hw::Ramp{0.1f, 3.0f}};
     const std::string text = level.edit(
         kLevel, {{.nodes = "A", .style = "ink", .materials = "Stone", .over = "photoreal", .presence = presence}});
     const hw::AssignRule rule = level.parse(text).assign.back();

@@ -112,13 +112,13 @@ TEST(level_file, every_key_is_read)
     EXPECT_EQ(rule.pointer, "/assign/1");
     EXPECT_EQ(rule.nodes, "#12");
     EXPECT_EQ(rule.materials, "Plank*");
-    EXPECT_EQ(rule.maps.at("ink"), "maps/ink/plank");
+    EXPECT_EQ(rule.maps.at(hw::MapKind::ink), "maps/ink/plank");
     EXPECT_EQ(rule.maps.size(), 1u);
     EXPECT_FALSE(rule.style);
     EXPECT_EQ(rule.over, "photoreal");
     EXPECT_EQ(rule.certainty, 0.4);
     EXPECT_EQ(rule.collides, false);
-    EXPECT_EQ(rule.presence, (hw::PresenceField{0.5f, true, 3.0f, 1.0f, true, 1.0f, 2.0f}));
+    EXPECT_EQ(rule.presence, (hw::PresenceField{0.5f, hw::Ramp{3.0f, 1.0f}, hw::Ramp{1.0f, 2.0f}}));
     EXPECT_FALSE(level.assign.at(0).presence || level.assign.at(0).certainty || level.assign.at(0).collides);
     EXPECT_EQ(level.certainty_styles.at(0).from, 0.5);
     EXPECT_EQ(level.cameras.at("door").name, "door");

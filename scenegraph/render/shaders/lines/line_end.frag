@@ -8,6 +8,7 @@ in float hw_v_share;
 in highp vec4 hw_v_middle;
 flat in vec2 hw_v_aside;
 flat in vec4 hw_v_line_colour;
+uniform vec4 hw_line_share;  // of the style's own: see hw_share_at()
 
 void main()
 {
@@ -15,7 +16,7 @@ void main()
     if (hw_is_line_hidden(vec3(middle.xy * hw_size_px, middle.z), hw_v_aside)) discard;
     float coverage = hw_v_share;
 #ifdef HW_PRESENCE
-    coverage *= hw_presence_at(hw_v_height);
+    coverage *= hw_presence_at(hw_v_height) * hw_share_at(hw_line_share, hw_v_height);
 #endif
 #ifdef HW_ROUND_POINT
     float distance_px = length(gl_PointCoord - 0.5) * (hw_v_line_colour.w + 1.0);

@@ -11,6 +11,7 @@ in vec2 hw_v_line_height;
 flat in vec4 hw_v_line_way;
 flat in highp vec2 hw_v_line_depth;
 flat in vec3 hw_v_line_colour;
+uniform vec4 hw_line_share;  // of the style's own: see hw_share_at()
 #ifdef HW_STROKE
 flat in highp vec4 hw_v_stroke;  // length along the stroke over w, and 1 over w, at both ends
 flat in highp vec4 hw_v_stroke_whole;  // x length, below zero closed, 0 a silhouette; y seed; zw overshoot at both ends
@@ -53,7 +54,8 @@ void main()
     }
 #endif
 #ifdef HW_PRESENCE
-    half_width *= hw_presence_at(hw_v_line_height.x / hw_v_line_height.y);
+    float height_m = hw_v_line_height.x / hw_v_line_height.y;
+    half_width *= hw_presence_at(height_m) * hw_share_at(hw_line_share, height_m);
 #endif
     // Thinner than a pixel a line becomes lighter instead.
     float drawn = max(half_width, 0.5);

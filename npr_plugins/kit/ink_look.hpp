@@ -4,9 +4,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "hatchway/style/colour.hpp"
-#include "hatchway/style/needs.hpp"
-#include "hatchway/style/pass.hpp"
+#include "hatchway/style/style.hpp"
 
 namespace hw {
 

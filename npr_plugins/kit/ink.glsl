@@ -12,7 +12,7 @@ uniform vec3 uncertain_colour;
 uniform vec2 from_material;      // share of the material's colour in the paper's and in the ink's; with MATERIAL_COLOUR
 uniform float shade;
 uniform float light_response;    // 0: the mean tone everywhere, 1: as light falls
-uniform vec3 ink_fade;           // height where hatching begins to fade, where it is gone, 1 when it fades at all
+uniform vec4 ink_fade;           // how much hatching has faded: see hw_share_at()
 uniform vec2 ink_map_look;         // strength, and how much finer than one texel a pixel
 
 // Ink coverage that light of this tone (0 to 1) asks for on this material. Straight from the light: a curve that is flat at
@@ -66,14 +66,6 @@ float hw_ink_map_detail(HwSurface surface)
 #endif
 }
 
-// What of the hatching is left at this height.
-float hw_unfaded(HwSurface surface)
-{
-    float height = ink_fade.y - ink_fade.x;
-    float at = clamp((surface.position_world.y - ink_fade.x) / (abs(height) < 1e-6 ? 1e-6 : height), 0.0, 1.0);
-    return 1.0 - ink_fade.z * at * at * (3.0 - 2.0 * at);
-}
-
 // The colour of the drawing here, linear.
 vec3 hw_pen_and_ink(HwSurface surface, HwMaterial material)
 {
@@ -85,7 +77,7 @@ vec3 hw_pen_and_ink(HwSurface surface, HwMaterial material)
 #endif
     vec3 paper = mix(uncertain_colour, paper_colour, hw_certainty);
     vec3 ink = ink_colour;
-    float unfaded = hw_unfaded(surface);
+    float unfaded = 1.0 - hw_share_at(ink_fade, surface.position_world.y);
 #ifdef MATERIAL_COLOUR
     paper = mix(paper, material.base_colour, from_material.x * unfaded);
     ink = mix(ink, 0.35 * material.base_colour, from_material.y);
