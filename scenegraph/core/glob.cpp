@@ -60,7 +60,7 @@ bool accepts(const Token& token, char c)
         case Token::any:
             return c != '/';
         case Token::one_of:
-            return is_in_set(token.set, c) != token.is_negated;
+            return c != '/' && is_in_set(token.set, c) != token.is_negated;
         case Token::run:
             return c != '/';
         case Token::deep_run:
