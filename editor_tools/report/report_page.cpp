@@ -45,8 +45,10 @@ std::string section_html(const MeasuredSection& measured)
 {
     std::string command = "hatchway measure";
     for (const std::string& argument : measured.section.arguments) command += ' ' + argument;
-    std::string html = fmt::format("<h2>{}</h2>\n<p>{}</p>\n<pre>{}</pre>\n", escaped(measured.section.title),
-                                   escaped(measured.section.says), escaped(command));
+    std::string html =
+        fmt::format("<h2>{}</h2>\n<p><b>Does not show:</b> {}</p>\n<p>{}</p>\n<p><b>Judge:</b> {}</p>\n<pre>{}</pre>\n",
+                    escaped(measured.section.title), escaped(measured.section.leaves_out),
+                    escaped(measured.section.says), escaped(measured.section.judge), escaped(command));
     if (!measured.failure.empty()) return html + "<p class=\"failure\">" + escaped(measured.failure) + "</p>\n";
     for (const PlotRecipe& recipe : measured.section.plots) html += svg_of(plot_of(recipe, measured.table));
     return html + "<details><summary>All rows</summary>\n" + table_of(measured.table) + "</details>\n";
@@ -82,8 +84,8 @@ std::string report_page(const ReportOrigin& origin, const std::vector<MeasuredSe
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Hatchway: measured</title>";
     html += fmt::format("<style>{}</style></head>\n<body>\n<h1>Hatchway: time against error</h1>\n", kStyleSheet);
     html += fmt::format(
-        "<p>Hatchway {} ({}), {}, {} threads, {}. Every row holds a time and the error of the same run "
-        "against a reference that shares no source file with the code.</p>\n",
+        "<p>Hatchway {} ({}), {}, {} threads, {}. Every row holds a time and the error of the same run. "
+        "Each section says what it does not show, and what judges it.</p>\n",
         escaped(origin.version), escaped(origin.commit), escaped(origin.processor), origin.threads,
         escaped(origin.date));
     for (const MeasuredSection& section : sections) html += section_html(section);

@@ -29,6 +29,13 @@ ReportSection silhouettes_section(const std::vector<std::string>& models)
 {
     return {.name = "silhouettes",
             .title = "Silhouettes",
+            .judge =
+                "Rational arithmetic (measure/silhouettes/silhouette_oracle), which shares no code with the search but "
+                "takes the welded, repaired surface from it.",
+            .leaves_out =
+                "Preparing a surface (column preprocess_s). Faults of welding and repair: the judge starts from their "
+                "result. Moved and scaled models lose faces, since float positions collapse: read the column faces. "
+                "The OpenMesh row is a plain loop built with -O2.",
             .says =
                 "Milliseconds to find the silhouette edges from one eye, and the wrong edges against rational "
                 "arithmetic, for every method and precision, at growing offsets from the origin.",
@@ -45,6 +52,8 @@ ReportSection silhouette_growth_section()
 {
     return {.name = "silhouette_growth",
             .title = "Silhouettes of one smooth shape, ever finer",
+            .judge = "As above.",
+            .leaves_out = "Rough meshes, which gain less; preparing a surface.",
             .says =
                 "Milliseconds of every method by the number of faces; wrong edges as above. The hierarchy's work grows "
                 "with the contour, brute force with the mesh.",
@@ -61,6 +70,10 @@ ReportSection frame_section(const std::string& level)
 {
     return {.name = "frame",
             .title = "Frames",
+            .judge = "The same renderer without the PVS: another set of chunks, the same drawing.",
+            .leaves_out =
+                "A GPU: frames are drawn by Mesa on the processor. A path along which everything is visible, as in the "
+                "demo hall, cannot show what a PVS saves, and then equal pixels prove little.",
             .says =
                 "Milliseconds of a frame along the level's tour at 1280 x 720 without the PVS and at its efforts, the "
                 "share "
@@ -86,6 +99,9 @@ ReportSection bsp_section(const std::vector<std::string>& scenes)
     return {
         .name = "bsp",
         .title = "The tree",
+        .judge = "Points by rational arithmetic (bsp_oracle); the area by the engine's own area of a polygon.",
+        .leaves_out =
+            "The tree that a level ships with: structure is chosen with smaller budgets here, and without cells.",
         .says =
             "Seconds to choose the structure and to build the tree, random points whose leaf rational arithmetic "
             "names otherwise (there must be none), and how far the area of all pieces is from that of the polygons.",
@@ -108,6 +124,10 @@ ReportSection pvs_section(const std::vector<std::string>& scenes)
 {
     return {.name = "pvs",
             .title = "Potentially visible sets",
+            .judge = "Rays by Embree; each claim of a hidden chunk that is seen is confirmed with rational numbers.",
+            .leaves_out =
+                "Where people stand: averages go over cells, and nobody is in most of them. A chunk counts as seen "
+                "when one of its triangles is hit, which makes the over-estimate look smaller.",
             .says =
                 "Seconds to compile, the average visible share, and claims that sampled rays prove wrong: there "
                 "must be none. The over-estimate compares rows with what a million rays met.",
@@ -140,6 +160,10 @@ ReportSection lines_section(const std::string& prism, const std::string& hall, c
     const char* factor = "polygon offset factor of the depth that lines are tested against";
     return {.name = "lines",
             .title = "Lines on the screen",
+            .judge = "The engine's own exact visible lines and its own far policy.",
+            .leaves_out =
+                "Candidate edges that both overlook, and lines that the far policy wrongly thins. The time of the "
+                "exact lines leaves out adjacency and seams, which are prepared once.",
             .says =
                 "Drawn lines against the exact visible lines at 1400 x 900: the share of their length that is missed, "
                 "the share of ink that lies elsewhere, gaps, and the drawn width over the one asked for.",
@@ -155,6 +179,10 @@ ReportSection hatch_section()
     return {
         .name = "hatch",
         .title = "Hatch maps",
+        .judge =
+            "Columns of pixels, compared with lines of one width and one spacing (hatch_profile, no code of the "
+            "engine).",
+        .leaves_out = "Curved surfaces other than a sphere.",
         .says =
             "Spacing, stroke width, tone and contrast of hatch maps on planes and a sphere over distance and angle, "
             "against lines of one width and one spacing: our choice of the level, hardware filtering, ordinary mips "
@@ -182,6 +210,10 @@ ReportSection ink_section(const fs::path& maps)
     return {
         .name = "ink",
         .title = "Ink maps",
+        .judge = "The ink of level 0 of the same map, counted along rows and columns.",
+        .leaves_out =
+            "Maps drawn by hand or from bitmaps. Level 0 has half the tone of the others by design: errors of tone are "
+            "absolute.",
         .says =
             "Width of strokes, tone and contrast of ink maps level by level: drawn anew from vectors, and filtered by "
             "the minimum and the mean.",
@@ -199,6 +231,10 @@ ReportSection coherence_section(const std::string& level)
 {
     return {.name = "coherence",
             .title = "Hatching from frame to frame",
+            .judge = "Places carried along by rays of the collision world; two frames of the renderer.",
+            .leaves_out =
+                "Curved surfaces and edges: only places on flat surface count. Flicker is of a mean over 3 x 3 pixels. "
+                "Ratios to the unfiltered map compare different amounts of ink, except for the hatch map.",
             .says =
                 "Neighbouring frames along the level's tour, warped by the true motion of the surface: change of ink, "
                 "of tone "
@@ -216,6 +252,8 @@ ReportSection lightmap_section()
 {
     return {.name = "lightmap",
             .title = "Lightmaps",
+            .judge = "Closed forms; the lit room by the same bake with more samples.",
+            .leaves_out = "Bias of the lit room: noise alone is seen there.",
             .says =
                 "Seconds and error of baked light against closed-form form factors and a converged reference, over "
                 "the number of samples.",
@@ -237,6 +275,9 @@ ReportSection walk_section(const std::string& hall, const fs::path& data)
             arguments.push_back((data / name).string());
     return {.name = "walk",
             .title = "Walking",
+            .judge = "measure/walk/walk_oracle: distances and crossings in closed form, no code of the walker.",
+            .leaves_out =
+                "Walkers that fell off an open scene and were put back do not count as wrong: see the column put_back.",
             .says =
                 "A million random inputs in each scene, frames of 1 to 100 ms, judged by distances and crossings that "
                 "the walker does not use: all that is counted as wrong must be 0.",
@@ -262,6 +303,10 @@ ReportSection scale_section()
     };
     return {.name = "scale",
             .title = "Size of levels",
+            .judge = "The same frame without the PVS, for pixels; times have no judge.",
+            .leaves_out =
+                "Styles other than photoreal, and the memory of a walker. Visible work varies by a factor of three "
+                "between sizes (column frame_triangles).",
             .says =
                 "Rooms on a grid, from 64 to 500 of them, 10 objects each: what grows with the level, and a frame from "
                 "the first room, which sees the same in all. The pixels that differ from a frame drawn without the PVS "

@@ -21,7 +21,9 @@ struct PlotRecipe {
 struct ReportSection {
     std::string name;  ///< Of the JSON file, without ending.
     std::string title;
-    std::string says;  ///< What is measured against what, in one or two sentences.
+    std::string judge;       ///< What the result is compared with, and what that shares with the engine.
+    std::string leaves_out;  ///< What the section does not show.
+    std::string says;        ///< What is measured against what, in one or two sentences.
     std::vector<std::string> arguments;
     std::vector<PlotRecipe> plots;
 };
