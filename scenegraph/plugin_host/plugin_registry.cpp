@@ -79,7 +79,8 @@ std::string plugin_refusal(const PluginEntry* entry, std::string_view file_name)
     if (!entry) return "its function hw_plugin() returns nothing";
     if (entry->api_version != kStyleApiVersion)
         return fmt::format(
-            "it was built for version {} of the plugin interface, this program has version {}: change its source for that, then build it anew",
+            "it was written for version {} of the plugin interface, this program has version {}: change its source for "
+            "that and build it anew",
             entry->api_version, kStyleApiVersion);
     if (!entry->build || std::string_view(entry->build) != HW_PLUGIN_BUILD)
         return fmt::format(

@@ -13,8 +13,8 @@ namespace {
 StylePass pass_of(const Frame& frame, int style, PassStage stage)
 {
     const Needs& needs = frame.scene.needs[style];
-    const StyleReads reads{frame.scene.input.styles[style].name, needs.shadow == ShadowNeed::main_light, needs.lightmap && frame.scene.lightmap.has_light(),
-                           needs.streams, needs.edges};
+    const StyleReads reads{frame.scene.input.styles[style].name, needs.shadow == ShadowNeed::main_light,
+                           needs.lightmap && frame.scene.lightmap.has_light(), needs.streams, needs.edges};
     return {frame, stage, reads, frame.scene.style_maps[style]};
 }
 

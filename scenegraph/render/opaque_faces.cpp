@@ -54,7 +54,9 @@ VisibleSet ask_what_is_seen(const Frame& frame)
     for (const FaceCall& call : frame.results.opaque_faces) {
         if (!has_plain_depth(frame, call)) continue;
         std::vector<SurfaceItem> items = surface_items_of(frame, call, pieces);
-        const auto asked = [&](const SurfaceItem& item) -> std::uint8_t& { return is_asked[FrameItems::slot(*item.item)]; };
+        const auto asked = [&](const SurfaceItem& item) -> std::uint8_t& {
+            return is_asked[FrameItems::slot(*item.item)];
+        };
         std::erase_if(items, [&](const SurfaceItem& item) { return asked(item) != 0; });
         for (const SurfaceItem& item : items) asked(item) = 1;
         frame.faces().draw_depth(at_equal_depth, items, pieces.ranges, &frame.device.queries);

@@ -65,11 +65,26 @@ TEST(map_file, colours_missing_levels_and_high_hatch_maps_are_refused)
     EXPECT_EQ(hw::read_map(folder.path()).kind, hw::MapKind::hatch);
 }
 
+TEST(map_file, ramps_are_strips_of_colour_with_one_level_and_images_are_pictures)
+{
+    const TemporaryFolder folder;
+    folder.write("map.json", R"({"format": "hatchway-map/1", "kind": "ramp", "levels": 1})");
+    write_gray(folder.path() / "level_0.png", 8, 2, 3);
+    EXPECT_THROW(hw::read_map(folder.path()), hw::Error) << "two texels high";
+    write_gray(folder.path() / "level_0.png", 8, 1, 3);
+    EXPECT_EQ(hw::read_map(folder.path()).kind, hw::MapKind::ramp);
+    folder.write("map.json", R"({"format": "hatchway-map/1", "kind": "ramp", "levels": 2})");
+    write_gray(folder.path() / "level_1.png", 4, 1, 3);
+    EXPECT_THROW(hw::read_map(folder.path()), hw::Error) << "two levels";
+    folder.write("map.json", R"({"format": "hatchway-map/1", "kind": "image", "levels": 2})");
+    EXPECT_EQ(hw::read_map(folder.path()).levels[1].channels, 3);
+}
+
 TEST(map_file, a_wrong_description_is_named_by_its_pointer)
 {
     const std::pair<const char*, const char*> cases[] = {
         {R"({"format": "hatchway-map/2", "kind": "ink", "levels": 1})", "/format"},
-        {R"({"format": "hatchway-map/1", "kind": "ramp", "levels": 1})", "/kind"},
+        {R"({"format": "hatchway-map/1", "kind": "oil", "levels": 1})", "/kind"},
         {R"({"format": "hatchway-map/1", "kind": "ink", "levels": 0})", "/levels"},
         {R"({"format": "hatchway-map/1", "kind": "ink", "levels": 1.5})", "/levels"},
         {R"({"format": "hatchway-map/1", "kind": "ink", "levels": 1000000})", "/levels"},

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "hatchway/core/error.hpp"
 #include "hatchway/param/param_reader.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -59,4 +62,80 @@ TEST(param_reader, a_colour_has_six_hexadecimal_digits)
     EXPECT_FLOAT_EQ(colour.g, 128.0f / 255.0f);
     EXPECT_FALSE(hw::parse_colour("#ff80", colour));
     EXPECT_FALSE(hw::parse_colour("#ff80zz", colour));
+}
+
+TEST(param_reader, an_angle_is_stated_in_degrees_and_held_in_radians)
+{
+    float crease_rad = 0.7f;
+    const auto settings = one_setting("crease_deg", 90.0);
+    hw::ParamReader reader(settings, "a.json");
+    reader.angle({"crease_deg", ""}, crease_rad, 1.0f, 180.0f);
+    EXPECT_FLOAT_EQ(crease_rad, 1.5707964f);
+    const auto too_large = one_setting("crease_deg", 181.0);
+    hw::ParamReader refusing(too_large, "a.json");
+    EXPECT_NE(refusal([&] { refusing.angle({"crease_deg", ""}, crease_rad, 1.0f, 180.0f); }), "");
+}
+
+TEST(param_reader, an_angle_that_nobody_states_keeps_its_bits)
+{
+    float crease_rad = 0.69813168f;
+    const float before = crease_rad;
+    const hw::ParamSettings none;
+    hw::ParamReader reader(none, "a.json");
+    reader.angle({"crease_deg", ""}, crease_rad, 1.0f, 180.0f);
+    EXPECT_EQ(crease_rad, before);
+}
+
+TEST(param_reader, a_choice_is_an_enum_by_the_names_of_its_values)
+{
+    enum class Tone { none, plain, shaded };
+    constexpr std::string_view kNames[] = {"none", "plain", "shaded"};
+    Tone tone = Tone::none;
+    const auto settings = one_setting("tone", std::string("shaded"));
+    hw::ParamReader reader(settings, "a.json");
+    hw::ParamVisitor& visitor = reader;
+    visitor.choice({"tone", ""}, tone, kNames);
+    EXPECT_EQ(tone, Tone::shaded);
+    const auto wrong = one_setting("tone", std::string("dark"));
+    hw::ParamReader refusing(wrong, "a.json");
+    hw::ParamVisitor& other = refusing;
+    EXPECT_NE(refusal([&] {
+                  other.choice({"tone", ""}, tone, kNames);
+              }).find("one of: none, plain, shaded"),
+              std::string::npos);
+    EXPECT_EQ(tone, Tone::shaded);
+}
+
+TEST(param_reader, an_image_of_a_level_lies_inside_of_its_project_and_is_there)
+{
+    const hw::TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "project/levels");
+    std::ofstream(folder.path() / "project/grain.png") << "png";
+    std::ofstream(folder.path() / "outside.png") << "png";
+    const std::string level = (folder.path() / "project/levels/a.json").string();
+    const auto read = [&](const std::string& stated) {
+        hw::ImageFile image{"own.png"};
+        const auto settings = one_setting("grain", stated);
+        hw::ParamReader reader(settings, level, folder.path() / "project");
+        reader.image({"grain", ""}, image);
+        return image.value;
+    };
+    EXPECT_EQ(std::filesystem::weakly_canonical(read("../grain.png")),
+              std::filesystem::weakly_canonical(folder.path() / "project/grain.png"));
+    EXPECT_TRUE(std::filesystem::path(read("../grain.png")).is_absolute());
+    EXPECT_EQ(read(""), "") << "none";
+    for (const std::string bad : {std::string("../../outside.png"), std::string("none.png"), std::string(".."),
+                                  (folder.path() / "outside.png").string()})
+        EXPECT_NE(refusal([&] { read(bad); }).find("/styles/assumed/grain"), std::string::npos) << bad;
+    std::filesystem::create_symlink(folder.path() / "outside.png", folder.path() / "project/levels/link.png");
+    EXPECT_NE(refusal([&] { read("link.png"); }), "") << "a link that leads out";
+}
+
+TEST(param_reader, an_image_that_no_level_names_is_the_style_s_own)
+{
+    hw::ImageFile image{"own.png"};
+    const hw::ParamSettings none;
+    hw::ParamReader reader(none, "a.json", "/project");
+    reader.image({"grain", ""}, image);
+    EXPECT_EQ(image.value, "own.png");
 }

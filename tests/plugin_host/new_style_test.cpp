@@ -29,6 +29,15 @@ TEST(new_style, writes_all_files_with_the_style_s_name_in_them)
     for (const fs::path& file : files) EXPECT_EQ(read_text_file(file, 100000).find('@'), std::string::npos) << file;
 }
 
+TEST(new_style, the_class_is_at_most_sixty_lines_long)
+{
+    const TemporaryFolder temporary;
+    write_new_style("soft_pencil", temporary.path());
+    const std::string source = read_text_file(temporary.path() / "soft_pencil" / "soft_pencil.cpp", 100000);
+    EXPECT_LE(lines_of_code(source), 60);
+    EXPECT_GE(lines_of_code(source), 30) << "a complete style";
+}
+
 TEST(new_style, refuses_a_bad_name_and_writes_nothing)
 {
     const TemporaryFolder temporary;

@@ -29,6 +29,22 @@ std::string text_of(const fs::path& log)
     return read_text_file(log, 1 << 24);
 }
 
+/// The smallest style as docs/write_a_style.md shows it.
+std::string smallest_style()
+{
+    const std::string page = read_text_file(HATCHWAY_SOURCE_DIR "/docs/write_a_style.md", 1 << 20);
+    const std::string begin = "<!-- smallest style -->\n```cpp\n";
+    const std::size_t at = page.find(begin) + begin.size();
+    return page.substr(at, page.find("```", at) - at);
+}
+
+void write_smallest_style(const fs::path& folder)
+{
+    fs::create_directories(folder);
+    std::ofstream(folder / "flat.cpp") << smallest_style();
+    std::ofstream(folder / "CMakeLists.txt") << "add_npr_plugin(flat)\n";
+}
+
 /// One project with all styles, so that the compiler and the package are looked for once.
 void write_project(const fs::path& folder, const std::vector<fs::path>& styles)
 {
@@ -57,6 +73,8 @@ TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installati
         if (fs::exists(entry.path() / "CMakeLists.txt")) styles.push_back(entry.path());
     write_new_style("fresh", root / "source");
     styles.push_back(root / "source" / "fresh");
+    write_smallest_style(root / "source" / "flat");
+    styles.push_back(root / "source" / "flat");
     write_project(root / "source", styles);
 
     ASSERT_TRUE(run_cmake("-S \"" + (root / "source").string() + "\" -B \"" + (root / "build").string() +
@@ -71,4 +89,6 @@ TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installati
     const Plugin& fresh = require_plugin(registry, "fresh", PluginKind::style, {});
     EXPECT_TRUE(fs::exists(fresh.shader_folder / "fresh.frag"));
     EXPECT_NE(make_style(fresh, {}, {}), nullptr);
+    EXPECT_NE(make_style(require_plugin(registry, "flat", PluginKind::style, {}), {}, {}), nullptr);
+    EXPECT_LE(lines_of_code(smallest_style()), 12);
 }

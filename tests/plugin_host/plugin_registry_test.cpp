@@ -43,15 +43,22 @@ TEST(plugin_registry, the_installation_s_libraries_are_found_and_equal_the_stati
     }
 }
 
-TEST(plugin_registry, a_plugin_of_another_version_is_refused_by_its_version_alone)
+TEST(plugin_registry, a_plugin_of_version_1_is_refused_by_its_version_alone_with_one_sentence)
 {
-    EXPECT_THAT(reason("old_version"),
-                HasSubstr("built for version 0 of the plugin interface, this program has version 1"));
+    EXPECT_EQ(
+        reason("old_version"),
+        "it was written for version 1 of the plugin interface, this program has version 2: change its source for that "
+        "and build it anew");
 }
 
 TEST(plugin_registry, a_plugin_of_another_build_is_refused)
 {
     EXPECT_THAT(reason("other_build"), HasSubstr("it was built by \"abi 1, glm 4\""));
+}
+
+TEST(plugin_registry, a_plugin_that_saw_other_headers_is_refused)
+{
+    EXPECT_THAT(reason("other_headers"), HasSubstr("headers 0123456789abcdef\", this program by"));
 }
 
 TEST(plugin_registry, a_library_without_an_entry_is_refused)

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,18 @@ inline std::string refusal(const std::function<void()>& action)
         return error.what();
     }
     return "";
+}
+
+/// Lines that are neither blank nor a comment.
+inline int lines_of_code(const std::string& source)
+{
+    std::istringstream lines(source);
+    int count = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t first = line.find_first_not_of(" \t");
+        if (first != std::string::npos && line.compare(first, 2, "//") != 0) ++count;
+    }
+    return count;
 }
 
 /// The project's own plugins and those that misbehave.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hatchway/drawing/frame_items.hpp"
 #include "tests/plugin_host/plugin_tests.hpp"
 
 using namespace hw;
@@ -154,10 +155,10 @@ TEST_F(style_set, an_image_pass_is_made_with_the_parameters_of_its_key)
 TEST_F(style_set, hybrid_lines_fade_over_the_height_of_each_object)
 {
     Style& style = *set.styles()[set.use("hybrid", "")].style;
-    items[0].bounds_world.add(glm::dvec3(0, 1, 0));
-    items[0].bounds_world.add(glm::dvec3(1, 5, 1));
+    items[0] = FrameItems().make({.bounds_world = {{0, 1, 0}, {1, 5, 1}}}, {.presence = {.height = Ramp{0.0f, 9.0f}}});
     style.lines(pass, items);
     ASSERT_EQ(pass.line_items.size(), 2u);
+    EXPECT_EQ(FrameItems::presence(pass.line_items[0]).height, (Ramp{0.0f, 9.0f})) << "the level's, as it came";
     ASSERT_TRUE(pass.line_looks[0].share.height);
     EXPECT_FLOAT_EQ(pass.line_looks[0].share.height->from, 2.0f);
     EXPECT_FLOAT_EQ(pass.line_looks[0].share.height->to, 3.0f);

@@ -329,6 +329,48 @@ TEST_F(lines, a_larger_crease_angle_draws_fewer)
     EXPECT_LT(ink(draw_with(LinePath::quads, view)), 0.7 * many);
 }
 
+TEST_F(lines, of_a_style_whose_needs_name_no_edges_are_not_drawn)
+{
+    struct NeedsNothing final : Style {
+        Needs needs() const override { return {}; }
+        void prepare(ProgramCache&) override {}
+        void lines(Pass& pass, Items items) override { pass.lines(LineLook(), items); }
+    };
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    NeedsNothing over;
+    TestStyle paper(glm::vec3(1.0f));
+    paper.look = look_of_width(0.0f);  // builds the edges and draws none
+    load({{"paper", &paper}, {"over", &over}}, {{.style = 0, .over = 1}});
+    EXPECT_EQ(ink(draw_with(LinePath::quads, view_from({0, 1, 4}, {0, 0, 0}))), 0.0);
+}
+
+TEST_F(lines, have_the_share_of_their_look_times_the_presence_of_the_level)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    TestStyle paper(glm::vec3(1.0f));
+    const auto drawn = [&](PresenceField share, PresenceField presence) {
+        style_.look->share = share;
+        load({{"paper", &paper}, {"ink", &style_}}, {{.style = 0, .over = 1, .presence = presence}});
+        return ink(draw_with(LinePath::quads, view_from({0, 1, 4}, {0, 0, 0})));
+    };
+    const double whole = drawn({}, {});
+    EXPECT_NEAR(drawn({.constant = 0.5f}, {}) / whole, 0.5, 0.05);
+    EXPECT_NEAR(drawn({.constant = 0.5f}, {.constant = 0.5f}) / whole, 0.25, 0.05);
+    const double lower_half = drawn({.height = Ramp{0.1f, -0.1f}}, {});
+    EXPECT_LT(lower_half, 0.7 * whole);
+    EXPECT_NEAR(drawn({.height = Ramp{0.1f, -0.1f}}, {.constant = 0.5f}) / lower_half, 0.5, 0.05)
+        << "a ramp of the style does not take the level's place";
+}
+
+TEST(line_look, has_a_pen_for_each_class)
+{
+    LineLook look;
+    look.all({.width_px = 2.0f})[LineClass::border] = {.width_px = 3.0f, .is_drawn = false};
+    EXPECT_EQ(look[LineClass::ridge].width_px, 2.0f);
+    EXPECT_EQ(look.pens[3].width_px, 3.0f);
+    EXPECT_FALSE(look[LineClass::border].is_drawn);
+}
+
 TEST_F(lines, adjacency_is_built_once_for_instances_and_for_ink_alone)
 {
     const ObjectId first = add_object(scene_, sphere_mesh(1.0f, 8), kHere, painted(glm::vec3(1.0f)));

@@ -42,11 +42,14 @@ const std::map<std::string, SurfaceFeatures> kCombinations = {
                   SurfaceFeatures(1) << f::kSunCountBit | f::kDoubleSided},
     {"baked_per_vertex",
      SurfaceFeatures(2) << f::kLightmapBit | SurfaceFeatures(1) << f::kLightCountBit | f::kDoubleSided},
-    {"mapped", f::kUv0 | f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) | f::map_of(MapKind::ramp) | f::map_of(MapKind::image) | SurfaceFeatures(1) << f::kLightCountBit},
-    {"streamed",
-     f::kUv0 | f::kHatchUv | f::kDirection | f::map_of(MapKind::ink) | f::map_of(MapKind::hatch) | SurfaceFeatures(2) << f::kLightmapBit},
-    {"streamed_without_uv", f::kHatchUv | f::map_of(MapKind::tonal) | f::kShadow | SurfaceFeatures(1) << f::kLightCountBit},
-    {"mapped_without_uv", f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) | f::map_of(MapKind::image) | f::kShadow | f::kUnlit | f::kPresence},
+    {"mapped", f::kUv0 | f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) |
+                   f::map_of(MapKind::ramp) | f::map_of(MapKind::image) | SurfaceFeatures(1) << f::kLightCountBit},
+    {"streamed", f::kUv0 | f::kHatchUv | f::kDirection | f::map_of(MapKind::ink) | f::map_of(MapKind::hatch) |
+                     SurfaceFeatures(2) << f::kLightmapBit},
+    {"streamed_without_uv",
+     f::kHatchUv | f::map_of(MapKind::tonal) | f::kShadow | SurfaceFeatures(1) << f::kLightCountBit},
+    {"mapped_without_uv", f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) |
+                              f::map_of(MapKind::image) | f::kShadow | f::kUnlit | f::kPresence},
 };
 
 std::string text_of(const fs::path& file)

@@ -51,7 +51,8 @@ TEST(looks, one_style_serves_brick_plank_and_tile_with_a_map_for_each)
     const auto looks = hw::resolve_looks(level, scene, "photoreal");
     for (const hw::ObjectLook& look : looks) EXPECT_EQ(look.style, "drawn");
     EXPECT_EQ(looks[0].maps, (std::map<hw::MapKind, std::string>{{hw::MapKind::ink, "brick"}}));
-    EXPECT_EQ(looks[1].maps, (std::map<hw::MapKind, std::string>{{hw::MapKind::ink, "plank"}, {hw::MapKind::hatch, "fine"}}));
+    EXPECT_EQ(looks[1].maps,
+              (std::map<hw::MapKind, std::string>{{hw::MapKind::ink, "plank"}, {hw::MapKind::hatch, "fine"}}));
     EXPECT_EQ(looks[2].maps, (std::map<hw::MapKind, std::string>{{hw::MapKind::ink, "tile"}}));
     EXPECT_TRUE(looks[3].maps.empty());
 }

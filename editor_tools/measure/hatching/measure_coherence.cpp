@@ -91,7 +91,8 @@ class InkedLevel {
         input.scene = &world_->scene;
         input.styles = {{kind.name, kind.style.get()}};
         for (const auto& [map_kind, name] : kind.style->needs().maps)
-            if (!name.value.empty()) input.named_maps[{map_kind, name.value}] = maps_.use(level_, map_kind, name.value, "");
+            if (!name.value.empty())
+                input.named_maps[{map_kind, name.value}] = maps_.use(level_, map_kind, name.value, "");
         for (const ObjectLook& look : looks_) {
             StyledObject object;
             object.style = 0;

@@ -138,8 +138,7 @@ MapLevels read_map(const fs::path& folder)
 
 fs::path find_map(const Level& level, MapKind kind, const std::string& name, const std::string& pointer)
 {
-    const fs::path built_in =
-        installation_prefix() / "share" / "hatchway" / "maps" / facts_of(kind).name / name;
+    const fs::path built_in = installation_prefix() / "share" / "hatchway" / "maps" / facts_of(kind).name / name;
     const fs::path folder = is_plain_name(name) ? built_in
                                                 : resolve_inside(level.project_root, level.file.parent_path(), name,
                                                                  level.file.string(), pointer);

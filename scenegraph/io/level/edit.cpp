@@ -28,7 +28,8 @@ std::string presence_text(const PresenceField& field)
     std::string text = fmt::format("{{\"constant\": {}", field.constant);
     if (field.height)
         text += fmt::format(", \"height\": {{\"from_m\": {}, \"to_m\": {}}}", field.height->from, field.height->to);
-    if (field.time) text += fmt::format(", \"time\": {{\"from_s\": {}, \"to_s\": {}}}", field.time->from, field.time->to);
+    if (field.time)
+        text += fmt::format(", \"time\": {{\"from_s\": {}, \"to_s\": {}}}", field.time->from, field.time->to);
     return text + '}';
 }
 
