@@ -1,51 +1,68 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "hatchway/core/vector_drawing.hpp"
-#include "hatchway/drawing/line_widths.hpp"
-#include "hatchway/geometry/lines/intersections.hpp"
+#include "hatchway/drawing/line_extras.hpp"
+#include "hatchway/drawing/line_looks.hpp"
+#include "hatchway/drawing/line_pieces.hpp"
+#include "hatchway/drawing/object_lines.hpp"
+#include "hatchway/drawing/scene_surfaces.hpp"
 #include "hatchway/geometry/lines/visible_lines.hpp"
 
 namespace hw {
 
-/// The objects of a scene made ready for find_visible_lines(): surfaces, seams, and how each is drawn. Built once, good
-/// for every camera.
+/// The objects of a scene made ready for find_visible_lines(): surfaces, seams, intersections, and how each is drawn.
+/// Built once, good for every camera. The scene must outlive this.
 class LevelLines {
  public:
-    /// `pens`: one for each object; none: all objects are drawn with one pen, of paper whose two sides both hide.
-    /// `crease_rad` goes before what the styles say. `scene` must outlive this.
-    LevelLines(const Scene& scene, std::vector<ObjectPens> pens, std::optional<float> crease_rad);
+    /// Lines as the styles of the objects draw them; `pens`: one for each object. `crease_rad` goes before what the
+    /// styles say.
+    LevelLines(const Scene& scene, std::vector<ObjectPens> pens, std::optional<float> crease_rad = {});
+    /// Lines of objects that wear no styles: one pen, and paper whose two sides both hide.
+    struct OnePen {
+        float crease_rad = 0.6981317f;  ///< 40 degrees
+        bool has_intersections = true;
+    };
+    LevelLines(const Scene& scene, const OnePen& pen);
     LevelLines(const LevelLines&) = delete;
     LevelLines& operator=(const LevelLines&) = delete;
 
     const std::vector<LineObject>& objects() const { return objects_; }
-    /// Where objects whose styles want it go through each other. Found once, on the first call.
-    const std::vector<IntersectionLine>& intersections();
+    /// Where objects whose styles want it go through each other.
+    const std::vector<IntersectionLine>& intersections() const { return extras_.intersections; }
     const std::string& name(std::uint32_t object) const;
 
-    /// The lines with the widths and colours of the objects' styles: those thinned away by distance or presence are
-    /// left out.
+    /// The lines with the widths, colours and strokes of the objects' styles: those thinned away by distance or
+    /// presence are left out.
     VectorDrawing drawing(const std::vector<VisibleLine>& lines, const LineCamera& camera);
 
  private:
-    void take_pens(const std::vector<ObjectPens>& pens, std::optional<float> crease_rad);
-    void find_object_seams(const std::vector<ObjectPens>& pens);
-    void find_crowding();
-    void append_groups(VectorObject& object, std::span<const VisibleLine> lines, const LineWidths& widths) const;
+    /// What is made of an object's edges at one crease angle; objects without extras share it.
+    struct Key {
+        SceneSurfaces::Key surface;
+        float crease_rad;
+        bool is_culled, is_crowded;
+        std::optional<ObjectId> owner;
+        auto operator<=>(const Key&) const = default;
+    };
+    struct Made {
+        std::optional<LineCrowding> crowding;
+        ObjectLines lines;
+    };
+
+    void add_object(ObjectId id, bool hides, bool is_culled);
+    const Made& made_of(ObjectId id, float crease_rad);
+    void append_groups(VectorObject& object, std::span<const VisibleLine> lines, const LinePieces& pieces);
 
     const Scene& scene_;
-    std::vector<Surface> surfaces_;
+    SceneSurfaces surfaces_;
+    std::vector<ObjectPens> pens_;
+    LineExtras extras_;
     std::vector<LineObject> objects_;
-    std::vector<std::vector<ObjectLineLook>> pens_;
-    std::vector<Seams> seams_;  ///< Of the objects whose styles draw edges.
-    std::optional<std::vector<IntersectionLine>> intersections_;
-    std::vector<InkedObject> inked_;
+    std::map<Key, Made> made_;
 };
-
-/// find_visible_lines(), so many times; `seconds` gets the median time.
-std::vector<VisibleLine> timed_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
-                                             const VisibleLineOptions& options, int runs, double& seconds);
 
 }  // namespace hw

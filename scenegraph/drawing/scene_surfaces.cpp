@@ -2,18 +2,24 @@
 
 namespace hw {
 
-std::vector<Surface> scene_surfaces(const Scene& scene, const SurfaceOptions& options)
+bool SceneSurfaces::is_culled(ObjectId object) const
 {
-    std::vector<SurfaceOptions> each(scene.meshes.size(), options);
-    for (SurfaceOptions& mesh : each) mesh.is_solid = true;
-    for (const Object& object : scene.objects) {
-        const Material& material = scene.materials[object.material];
-        if (material.alpha_mode != AlphaMode::opaque || material.is_double_sided) each[object.mesh].is_solid = false;
-    }
-    std::vector<Surface> surfaces;
-    surfaces.reserve(scene.meshes.size());
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) surfaces.push_back(build_surface(scene.meshes[i], each[i]));
-    return surfaces;
+    return !material(object).is_double_sided;
+}
+
+SceneSurfaces::Key SceneSurfaces::key_of(ObjectId object) const
+{
+    return {scene_.objects[object].mesh, material(object).alpha_mode == AlphaMode::opaque && is_culled(object)};
+}
+
+const Surface& SceneSurfaces::of(ObjectId object)
+{
+    const Key key = key_of(object);
+    const auto found = surfaces_.find(key);
+    if (found != surfaces_.end()) return found->second;
+    SurfaceOptions options = options_;
+    options.is_solid = key.is_solid;
+    return surfaces_[key] = build_surface(scene_.meshes[key.mesh], options);
 }
 
 }  // namespace hw

@@ -1,14 +1,39 @@
 #pragma once
 
-#include <vector>
+#include <map>
 
 #include "hatchway/geometry/surface/surface.hpp"
 #include "hatchway/world/scene.hpp"
 
 namespace hw {
 
-/// The adjacency of every mesh of the scene, by the rules that the renderer builds it by: a mesh is solid when its
-/// material is opaque and single-sided, whatever `options` say about that.
-std::vector<Surface> scene_surfaces(const Scene& scene, const SurfaceOptions& options = {});
+/// The adjacency of a scene's meshes, made when it is asked for and kept. A mesh is solid where the object that shows
+/// it is opaque and single-sided; a mesh that is shown both ways has two surfaces.
+class SceneSurfaces {
+ public:
+    struct Key {
+        int mesh = 0;
+        bool is_solid = true;
+        auto operator<=>(const Key&) const = default;
+    };
+
+    /// `scene` must outlive this. What `options` say about solid meshes is ignored.
+    explicit SceneSurfaces(const Scene& scene, const SurfaceOptions& options = {}) : scene_(scene), options_(options) {}
+
+    Key key_of(ObjectId object) const;
+    /// Stays where it is as long as this lives.
+    const Surface& of(ObjectId object);
+    /// Faces of the object that look away from the eye are not drawn.
+    bool is_culled(ObjectId object) const;
+
+    const std::map<Key, Surface>& all() const { return surfaces_; }
+
+ private:
+    const Material& material(ObjectId object) const { return scene_.materials[scene_.objects[object].material]; }
+
+    const Scene& scene_;
+    SurfaceOptions options_;
+    std::map<Key, Surface> surfaces_;
+};
 
 }  // namespace hw

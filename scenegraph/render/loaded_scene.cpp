@@ -22,24 +22,6 @@ SurfaceFeatures features_of(const std::vector<Light>& lights)
     return features;
 }
 
-std::vector<EdgeUse> edge_uses(std::span<const StyledObject> objects, std::span<const Needs> needs)
-{
-    std::vector<EdgeUse> uses(objects.size());
-    for (std::size_t object = 0; object < uses.size(); ++object) {
-        const StyledObject& look = objects[object];
-        EdgeUse& use = uses[object];
-        use.style = static_cast<std::uint32_t>((look.style + 1) * 65536 + look.over + 1);
-        for (const int style : {look.style, look.over}) {
-            if (style == kNone || !needs[style].edges) continue;
-            const float crease_rad = needs[style].edges->crease_rad;
-            use.crease_rad = use.is_used ? std::min(use.crease_rad, crease_rad) : crease_rad;
-            use.is_used = true;
-            use.with_intersections |= needs[style].edges->intersections;
-        }
-    }
-    return uses;
-}
-
 }  // namespace
 
 LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter)
@@ -95,7 +77,7 @@ void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledOb
     for (ObjectId object = 0; object < objects.size(); ++object)
         for (const int style : {objects[object].style, objects[object].over})
             if (style != kNone) gpu.mesh_of(object, new_needs[style].streams);
-    edges.prepare(edge_uses(objects, new_needs));
+    edges.prepare(edge_demands(objects, new_needs));
     // Nothing below throws.
     needs = std::move(new_needs);
     style_maps = std::move(new_maps);

@@ -5,6 +5,7 @@
 
 #include "hatchway/stage/whole_scene.hpp"
 #include "hatchway/world/camera_path.hpp"
+#include "measure/lines/timed_lines.hpp"
 
 namespace hw {
 namespace {
@@ -31,8 +32,7 @@ LineCamera line_camera(const CameraPlace& camera, glm::ivec2 size_px)
 ExactLines::ExactLines(const std::filesystem::path& file, const ObjectLineLook& pen)
     : level_(read_level_with(file, {})),
       world_(open_world(level_, nullptr)),
-      lines_(world_->scene, all_with(world_->scene, pen), {}),
-      cuts_(&lines_.intersections())
+      lines_(world_->scene, all_with(world_->scene, pen))
 {
 }
 
@@ -50,7 +50,7 @@ std::vector<CameraPlace> ExactLines::cameras(int count, double aspect) const
 
 std::vector<VisibleLine> ExactLines::find(const CameraPlace& camera, glm::ivec2 size_px, double* seconds) const
 {
-    const VisibleLineOptions options{.intersections = *cuts_};
+    const VisibleLineOptions options{.intersections = lines_.intersections()};
     const LineCamera place = line_camera(camera, size_px);
     return seconds == nullptr ? find_visible_lines(lines_.objects(), place, options)
                               : timed_visible_lines(lines_.objects(), place, options, 5, *seconds);

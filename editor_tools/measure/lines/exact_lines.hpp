@@ -32,7 +32,6 @@ class ExactLines {
     Level level_;
     std::shared_ptr<const LevelWorld> world_;
     LevelLines lines_;
-    const std::vector<IntersectionLine>* cuts_;
 };
 
 }  // namespace hw

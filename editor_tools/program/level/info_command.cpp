@@ -39,10 +39,12 @@ struct MeshTotals {
     }
 };
 
-MeshTotals totals_of(const std::vector<Surface>& surfaces)
+MeshTotals totals_of(const Scene& scene)
 {
+    SceneSurfaces surfaces(scene);
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) surfaces.of(id);
     MeshTotals totals;
-    for (const Surface& surface : surfaces) {
+    for (const auto& [key, surface] : surfaces.all()) {
         const SurfaceReport& report = surface.report;
         totals.report.triangles_in += report.triangles_in;
         totals.report.removed_faces += report.removed_faces;
@@ -141,7 +143,7 @@ void info(const InfoArguments& arguments)
     const CompiledCache cache{arguments.cache};
     const auto world = open_world(level, &visibility, BakedLight::unwanted, arguments.cache.empty() ? nullptr : &cache);
     require_unread(outputs);
-    const MeshTotals totals = totals_of(scene_surfaces(world->scene));
+    const MeshTotals totals = totals_of(world->scene);
     const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
     print_info(*world, totals);
     std::cout << hatch_text(hatching);

@@ -10,6 +10,7 @@
 #include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/stage/level_styles.hpp"
+#include "measure/lines/timed_lines.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/level/level_doubts.hpp"
@@ -65,12 +66,17 @@ VisibleLineOptions line_options(const LinesArguments& arguments)
 }
 
 /// The styles decide, where there are any: a bare model that was given none is drawn with one pen.
-std::vector<ObjectPens> pens_of(const LinesArguments& arguments, const Level& level, const Scene& scene,
-                                const View& view)
+LevelLines lines_of(const LinesArguments& arguments, const Level& level, const Scene& scene, const View& view)
 {
-    if (level.file == level.scene_file && arguments.styles.empty()) return {};
+    std::optional<float> crease_rad;
+    if (arguments.crease_deg) crease_rad = static_cast<float>(*arguments.crease_deg * kRadians);
+    if (level.file == level.scene_file && arguments.styles.empty()) {
+        LevelLines::OnePen pen{.has_intersections = arguments.mode == "all"};
+        pen.crease_rad = crease_rad.value_or(pen.crease_rad);
+        return LevelLines(scene, pen);
+    }
     const PluginRegistry registry({.folders = arguments.plugin_dirs});
-    return level_pens(level, scene, registry, view);
+    return LevelLines(scene, level_pens(level, scene, registry, view), crease_rad);
 }
 
 JsonValue point_json(double x, double y)
@@ -93,6 +99,7 @@ JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& le
         for (const glm::dvec2& point : line.points_px) points.push(point_json(point.x, point.y));
         JsonValue json = JsonValue::object();
         json.set("object", level.name(line.object)).set("class", line_class_name(line.line_class));
+        if (line.set > 0) json.set("set", static_cast<int>(line.set));
         json.set("visible", line.is_visible).set("closed", line.is_closed).set("points", std::move(points));
         lines.push(std::move(json));
     }
@@ -123,9 +130,7 @@ void draw_lines(const LinesArguments& arguments)
     const Shot shot = shots_of(arguments.shot, level, scene, static_cast<double>(size.x) / size.y).front();
     const View view = camera_view(shot.camera, size, scene.bounds_world);
     const LineCamera camera = line_camera(shot.camera, view);
-    std::optional<float> crease_rad;
-    if (arguments.crease_deg) crease_rad = static_cast<float>(*arguments.crease_deg * kRadians);
-    LevelLines lines(scene, pens_of(arguments, level, scene, view), crease_rad);
+    LevelLines lines = lines_of(arguments, level, scene, view);
 
     VisibleLineOptions options = line_options(arguments);
     if (arguments.mode == "all") options.intersections = lines.intersections();

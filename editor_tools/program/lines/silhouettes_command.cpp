@@ -135,12 +135,12 @@ void find_silhouettes(const SilhouetteArguments& arguments)
                                     .method = method_named(arguments.method)};
     SurfaceOptions defaults;
     if (options.method == SilhouetteMethod::hierarchy) defaults.cluster_from_faces = 1;
-    const std::vector<Surface> surfaces = scene_surfaces(scene, defaults);
+    SceneSurfaces surfaces(scene, defaults);
     SilhouetteResult result;
     SilhouetteScratch scratch;
     JsonValue meshes = JsonValue::array();
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const Surface& surface = surfaces[scene.objects[id].mesh];
+        const Surface& surface = surfaces.of(id);
         const bool is_all = arguments.method != "candidates";
         add_object({surface, scene.world_from_object(id), eye_world, options, is_all}, scratch, result);
         if (!arguments.dump_mesh.empty()) meshes.push(mesh_json(scene, id, surface, eye_world));

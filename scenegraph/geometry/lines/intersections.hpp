@@ -18,6 +18,12 @@ struct IntersectionLine {
     std::array<std::uint32_t, 2> joints{};  ///< Pieces meet where these are equal.
 };
 
+/// The first of its two objects that shows such lines.
+inline std::uint32_t owner_of(const IntersectionLine& line, std::span<const LineObject> objects)
+{
+    return line.objects[shows_intersections(objects[line.objects[0]]) ? 0 : 1];
+}
+
 struct IntersectionOptions {
     /// Objects that enter each other by less than this share of their size are in contact: no line. A line is judged as
     /// a whole, so that it has no gaps where a face is entered by little.

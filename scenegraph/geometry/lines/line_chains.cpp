@@ -96,7 +96,7 @@ std::vector<LineChain> join_pieces(std::span<const LinePiece> pieces)
             is_used[end / 2] = true;
             chain.points.push_back(point_of(pieces, end ^ 1));
             chain.depths.push_back(depth_of(pieces, end ^ 1));
-            chain.edges.push_back(pieces[end / 2].edge);
+            chain.sources.push_back(pieces[end / 2].source);
         }
         if (is_closed) {
             chain.points.pop_back();

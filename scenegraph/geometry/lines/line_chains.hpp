@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "hatchway/geometry/lines/line_source.hpp"
+
 namespace hw {
 
 /// A straight piece with ends that may meet other pieces.
@@ -15,16 +17,16 @@ struct LinePiece {
     std::uint32_t to_vertex = 0;
     double from_depth = 0.0;  ///< Passed on to the chain's points.
     double to_depth = 0.0;
-    std::uint32_t edge = 0;  ///< Passed on to the chain's segments.
+    LineSource source;  ///< Passed on to the chain's segments.
 };
 
 inline constexpr std::uint32_t kFreeEnd = 0xffffffffu;
 
 struct LineChain {
     std::vector<glm::dvec2> points;
-    std::vector<double> depths;        ///< One for each point.
-    std::vector<std::uint32_t> edges;  ///< One for each segment, the closing one included.
-    bool is_closed = false;            ///< The first point is not repeated.
+    std::vector<double> depths;       ///< One for each point.
+    std::vector<LineSource> sources;  ///< One for each segment, the closing one included.
+    bool is_closed = false;           ///< The first point is not repeated.
 };
 
 /// Joins pieces to polylines. Where more than two meet, the straightest pairs go on. Every piece is in one chain, once;

@@ -88,7 +88,7 @@ class ObjectGathering {
             std::copy_n(scratch_.facing.begin(), drawn_.is_there.size(), drawn_.is_there.begin());
         }
         if (object_.hides) add_contours();
-        if (object_.is_drawn) add_lines();
+        for (set_ = 0; object_.is_drawn && set_ <= object_.more_crease_rad.size(); ++set_) add_lines();
         part.contours[1] = found_.contours.size();
         part.lines[1] = found_.lines.size();
         return part;
@@ -142,7 +142,13 @@ class ObjectGathering {
         const std::array<std::uint32_t, 2> faces = object_.surface->edges[edge].faces();
         const auto part = part_in_picture(space_, drawn_.view[a], drawn_.view[b]);
         if (!part || is_left_out(edge)) return;
-        DrawnLine line{index_, line_class, {a, b}, {kNoFace, kNoFace}, *part, edge};
+        DrawnLine line{.object = index_,
+                       .set = set_,
+                       .line_class = line_class,
+                       .vertices = {a, b},
+                       .faces = {kNoFace, kNoFace},
+                       .image = *part,
+                       .source = {LineSource::Kind::edge, edge}};
         for (int side = 0; side < 2; ++side) {
             const std::uint32_t face = faces[side];
             if (face != kNoFace) line.faces[side] = drawn_.first_face + unturned(face);
@@ -156,7 +162,8 @@ class ObjectGathering {
         const auto add_range = [&](EdgeRange range, LineClass line_class) {
             for (std::uint32_t edge = range.begin; edge < range.end; ++edge) add_line(edge, line_class);
         };
-        const float crease_rad = options_.with_creases ? object_.crease_rad : kNoCreases;
+        const float own_rad = set_ == 0 ? object_.crease_rad : object_.more_crease_rad[set_ - 1];
+        const float crease_rad = options_.with_creases ? own_rad : kNoCreases;
         for (const std::uint32_t edge :
              drawn_contours(surface, drawn_.eye_object, {.crease_rad = crease_rad}, scratch_)) {
             add_line(edge, LineClass::silhouette);
@@ -196,16 +203,24 @@ class ObjectGathering {
         if (!object_.seams) return;
         const glm::dmat4 view_from_object = space_.view_from_world() * object_.world_from_object;
         const auto in_view = [&](const glm::vec3& p) { return glm::dvec3(view_from_object * glm::dvec4(p, 1.0)); };
-        for (const auto& [from, to] : object_.seams->kept) {
+        for (std::uint32_t i = 0; i < object_.seams->kept.size(); ++i) {
+            const auto& [from, to] = object_.seams->kept[i];
             const auto part = part_in_picture(space_, in_view(from), in_view(to));
             if (!part) continue;
-            found_.lines.push_back({index_, LineClass::border, {kFreeEnd, kFreeEnd}, {kNoFace, kNoFace}, *part});
+            found_.lines.push_back({.object = index_,
+                                    .set = set_,
+                                    .line_class = LineClass::border,
+                                    .vertices = {kFreeEnd, kFreeEnd},
+                                    .faces = {kNoFace, kNoFace},
+                                    .image = *part,
+                                    .source = {LineSource::Kind::kept, i}});
         }
     }
 
     static constexpr float kNoCreases = 3.2f;
 
     std::uint32_t index_;
+    std::uint8_t set_ = 0;
     const LineObject& object_;
     DrawnObject& drawn_;
     const ImageSpace& space_;
@@ -218,15 +233,20 @@ void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects
                        const ImageSpace& space, std::span<const IntersectionLine> intersections)
 {
     const glm::dmat3 turn(space.view_from_world());
-    for (const IntersectionLine& cut : intersections) {
+    for (std::uint32_t i = 0; i < intersections.size(); ++i) {
+        const IntersectionLine& cut = intersections[i];
         const auto part = part_in_picture(space, turn * (cut.ends_world[0] - camera.eye_world),
                                           turn * (cut.ends_world[1] - camera.eye_world));
         if (!part) continue;
-        const std::uint32_t owner = cut.objects[shows_intersections(objects[cut.objects[0]]) ? 0 : 1];
-        DrawnLine line{owner, LineClass::intersection, cut.joints, {}, *part};
+        const std::uint32_t owner = owner_of(cut, objects);
+        DrawnLine line{.object = owner,
+                       .line_class = LineClass::intersection,
+                       .vertices = cut.joints,
+                       .image = *part,
+                       .source = {LineSource::Kind::intersection, i}};
         for (int side = 0; side < 2; ++side)
             line.faces[side] = drawing.objects[cut.objects[side]].first_face + cut.faces[side];
-        drawing.lines.push_back(line);
+        for (line.set = 0; line.set <= objects[owner].more_crease_rad.size(); ++line.set) drawing.lines.push_back(line);
     }
 }
 

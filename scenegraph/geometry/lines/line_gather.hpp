@@ -13,12 +13,13 @@ namespace hw {
 /// A straight line of the drawing before its hidden parts are removed: what the picture shows of it.
 struct DrawnLine {
     std::uint32_t object = 0;
+    std::uint8_t set = 0;
     LineClass line_class = LineClass::silhouette;
     /// Of the surface, or joints of intersections; kFreeEnd where it is a part of an edge.
     std::array<std::uint32_t, 2> vertices{};
     std::array<std::uint32_t, 2> faces{};  ///< Numbers among all faces; kNoFace where there is none.
     ImageLine image;
-    std::uint32_t edge = kNoEdge;  ///< Of the surface, the line being all or a part of it.
+    LineSource source;
 };
 
 /// A line at which visibility can change behind it.

@@ -195,7 +195,7 @@ bool LineOccluders::hides(const ImageTriangle& triangle, const ImagePoint& point
     const auto [far, near] = std::minmax({a.z, b.z, c.z});
     const double doubt =
         2.0 * ((near - far) * place_error_px_ * reach_of(triangle) / std::abs(area) + kDepthError * near);
-    const bool is_other = triangle.object != line.object || line.edge == kNoEdge;
+    const bool is_other = triangle.object != line.object || !line.source.is_edge();
     if (is_other) return before > point.z * kContactTolerance + doubt;
     return std::abs(before) > doubt ? before > 0.0 : hides_in_doubt(triangle, line, before);
 }

@@ -88,7 +88,7 @@ class HiddenLines {
         const double length = glm::distance(glm::dvec2(seen.from), glm::dvec2(seen.to));
         cuts.assign({0.0, 1.0});
         if (occluders_.is_behind_one_face(seen.from, seen.to, drawn)) {
-            parts.push_back({index, false, piece_between(seen.from, seen.to, drawn.edge)});
+            parts.push_back({index, false, piece_between(seen.from, seen.to, drawn.source)});
             set_vertices(drawn, parts.back().piece, parts.back().piece);
             return;
         }
@@ -119,7 +119,7 @@ class HiddenLines {
                 set_end(parts.back().piece, at(cuts[i + 1]));
                 continue;
             }
-            parts.push_back({index, is_visible, piece_between(at(cuts[i]), at(cuts[i + 1]), drawn.edge)});
+            parts.push_back({index, is_visible, piece_between(at(cuts[i]), at(cuts[i + 1]), drawn.source)});
         }
         set_vertices(drawn, parts[first].piece, parts.back().piece);
     }
@@ -130,9 +130,9 @@ class HiddenLines {
         if (drawn.image.is_from_whole) first.from_vertex = drawn.vertices[0];
         if (drawn.image.is_to_whole) last.to_vertex = drawn.vertices[1];
     }
-    static LinePiece piece_between(const ImagePoint& from, const ImagePoint& to, std::uint32_t edge)
+    static LinePiece piece_between(const ImagePoint& from, const ImagePoint& to, LineSource source)
     {
-        return {glm::dvec2(from), glm::dvec2(to), kFreeEnd, kFreeEnd, from.z, to.z, edge};
+        return {glm::dvec2(from), glm::dvec2(to), kFreeEnd, kFreeEnd, from.z, to.z, source};
     }
     static void set_end(LinePiece& piece, const ImagePoint& to)
     {
@@ -173,8 +173,8 @@ std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenL
     if (!with_hidden) std::erase_if(parts, [](const LinePart& part) { return !part.is_visible; });
     const auto key = [&](const LinePart& part) {
         const DrawnLine& line = hidden.line(part.line);
-        return std::uint64_t{line.object} << 8 | static_cast<std::uint64_t>(line.line_class) << 1 |
-               (part.is_visible ? 0u : 1u);
+        return std::uint64_t{line.object} << 16 | std::uint64_t{line.set} << 8 |
+               static_cast<std::uint64_t>(line.line_class) << 1 | (part.is_visible ? 0u : 1u);
     };
     std::stable_sort(parts.begin(), parts.end(), [&](const LinePart& a, const LinePart& b) { return key(a) < key(b); });
     std::vector<VisibleLine> lines;
@@ -186,12 +186,13 @@ std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenL
         const DrawnLine& first = hidden.line(parts[begin].line);
         for (LineChain& chain : join_pieces(pieces)) {
             lines.push_back({.object = first.object,
+                             .set = first.set,
                              .line_class = first.line_class,
                              .is_visible = parts[begin].is_visible,
                              .is_closed = chain.is_closed,
                              .points_px = std::move(chain.points),
                              .inverse_depths = std::move(chain.depths),
-                             .edges = std::move(chain.edges)});
+                             .sources = std::move(chain.sources)});
         }
         begin = end;
     }

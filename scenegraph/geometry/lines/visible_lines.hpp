@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hatchway/geometry/lines/line_class.hpp"
+#include "hatchway/geometry/lines/line_source.hpp"
 #include "hatchway/geometry/lines/seams.hpp"
 #include "hatchway/geometry/surface/surface.hpp"
 
@@ -29,11 +30,12 @@ struct LineObject {
     const Surface* surface = nullptr;
     glm::dmat4 world_from_object{1.0};
     float crease_rad = 0.7f;
-    const Seams* seams = nullptr;    ///< Lines that are left out, or null.
-    bool is_drawn = true;            ///< False: it only hides others.
-    bool hides = true;               ///< False: it is seen through.
-    bool with_intersections = true;  ///< Where it goes through others, it has lines.
-    bool is_culled = false;          ///< Faces that look away are not there: they hide nothing and carry no lines.
+    std::span<const float> more_crease_rad;  ///< For each, all its lines once more: those of another style.
+    const Seams* seams = nullptr;            ///< Lines that are left out, or null.
+    bool is_drawn = true;                    ///< False: it only hides others.
+    bool hides = true;                       ///< False: it is seen through.
+    bool with_intersections = true;          ///< Where it goes through others, it has lines.
+    bool is_culled = false;  ///< Faces that look away are not there: they hide nothing and carry no lines.
 };
 
 inline bool shows_intersections(const LineObject& object)
@@ -41,7 +43,7 @@ inline bool shows_intersections(const LineObject& object)
     return object.is_drawn && object.with_intersections;
 }
 
-struct IntersectionLine;  // geometry/intersections.hpp
+struct IntersectionLine;  // geometry/lines/intersections.hpp
 
 /// Silhouettes and borders are always among the lines.
 struct VisibleLineOptions {
@@ -53,19 +55,16 @@ struct VisibleLineOptions {
     std::span<const IntersectionLine> intersections;
 };
 
-inline constexpr std::uint32_t kNoEdge = 0xffffffffu;
-
 /// A polyline of the drawing. All of it belongs to one object and class and is visible, or all of it is hidden.
 struct VisibleLine {
     std::uint32_t object = 0;  ///< Index into the objects given.
+    std::uint8_t set = 0;      ///< Of the object's lines: 0 of its crease_rad, the others of more_crease_rad.
     LineClass line_class = LineClass::silhouette;
     bool is_visible = true;
     bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
     std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
     std::vector<double> inverse_depths;  ///< Of each point: 1 / distance from the plane of the eye, 1 / m.
-    /// Of each segment, the closing one included: the edge of the object's surface that it is a part of, or kNoEdge: an
-    /// intersection, or what seams keep of an edge.
-    std::vector<std::uint32_t> edges;
+    std::vector<LineSource> sources;     ///< Of each segment, the closing one included.
 };
 
 /// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:
@@ -74,7 +73,7 @@ struct VisibleLine {
 /// distance, so that lines on a face and on a neighbour's coplanar face stay visible (line_occluders.hpp). Pieces are
 /// joined to polylines at common vertices.
 ///
-/// The result is sorted by object and class and does not depend on the number of threads.
+/// The result is sorted by object, set and class and does not depend on the number of threads.
 /// Source: Appel. The Notion of Quantitative Invisibility and the Machine Rendering of Solids. ACM 1967, for where
 /// visibility changes.
 std::vector<VisibleLine> find_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,

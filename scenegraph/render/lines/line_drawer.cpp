@@ -59,7 +59,7 @@ LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) cons
     return fits ? LinePath::native : LinePath::quads;
 }
 
-std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineRun& run, EdgeStore& edges)
+std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineRun& run, const EdgeStore& edges)
 {
     std::vector<std::uint32_t> first_lines;
     vertices_.clear();
@@ -67,8 +67,8 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
     for (const LineItem& item : run.items) {
         first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
         const Surface* surface = edges.surface(item.object->object);
-        const LineMesh* lines = edges.lines(item.object->object);
-        if (surface == nullptr || width_px(frame.view, run.look, LineClass::silhouette) <= 0.0f) continue;
+        const LineMesh* lines = edges.lines(item.object->object, run.crease_rad);
+        if (lines == nullptr || width_px(frame.view, run.look, LineClass::silhouette) <= 0.0f) continue;
         const std::uint64_t idle = scratch_.counters.objects_without_work;
         const Viewpoint here = in_object(viewpoint, edges.world_from_object(item.object->object));
         const auto contours = drawn_contours(*surface, here, {.crease_rad = run.crease_rad}, scratch_);
@@ -76,8 +76,9 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
         counters_.silhouette_edges += contours.size();
         for (const std::uint32_t edge : contours) {
             const auto ends = edge_vertices(*surface, edge);
-            append_line(vertices_, {surface->positions[ends[0]], surface->positions[ends[1]]}, LineClass::silhouette);
-            set_crowding(vertices_, lines->crowding[ends[0]], lines->crowding[ends[1]]);
+            append_line(vertices_, {.ends = {surface->positions[ends[0]], surface->positions[ends[1]]},
+                                    .line_class = LineClass::silhouette,
+                                    .crowding = {lines->crowding[ends[0]], lines->crowding[ends[1]]}});
         }
     }
     first_lines.push_back(static_cast<std::uint32_t>(vertices_.size() / 4));
@@ -134,7 +135,7 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
                     glm::vec2(stroke.dash_px * frame.view.px_scale, stroke.dash_share));
 }
 
-void LineDrawer::draw(const LineFrame& frame, const LineRun& run, EdgeStore& edges)
+void LineDrawer::draw(const LineFrame& frame, const LineRun& run, const EdgeStore& edges)
 {
     const LineLook& look = run.look;
     const std::span<const LineItem> items = run.items;
@@ -148,13 +149,12 @@ void LineDrawer::draw(const LineFrame& frame, const LineRun& run, EdgeStore& edg
         for (const LineProgram& program : programs_for(path, look, with_presence)) {
             set_look(program, frame, run);
             for (std::size_t i = 0; i < items.size(); ++i) {
-                const LineMesh* lines = edges.lines(items[i].object->object);
+                const LineMesh* lines = edges.lines(items[i].object->object, run.crease_rad);
                 const DrawItem& item = *items[i].item;
                 if (lines == nullptr || !is_now(items[i])) continue;
                 if (!shows_at_all(item, frame.view.time_s)) continue;
-                const Surface& surface = *edges.surface(items[i].object->object);
                 draw_item(program, frame, look, items[i], *lines, lines->buffer,
-                          stretches_of(*lines, surface, frame, run, path));
+                          stretches_of(*lines, frame, look, path));
                 const Stretch silhouettes{first_lines[i], first_lines[i + 1] - first_lines[i],
                                           width_px(frame.view, look, LineClass::silhouette)};
                 draw_item(program, frame, look, items[i], *lines, stream_, {&silhouettes, 1});
@@ -163,22 +163,20 @@ void LineDrawer::draw(const LineFrame& frame, const LineRun& run, EdgeStore& edg
     }
 }
 
-std::vector<LineDrawer::Stretch> LineDrawer::stretches_of(const LineMesh& lines, const Surface& surface,
-                                                          const LineFrame& frame, const LineRun& call, LinePath path)
+std::vector<LineDrawer::Stretch> LineDrawer::stretches_of(const LineMesh& lines, const LineFrame& frame,
+                                                          const LineLook& look, LinePath path)
 {
     std::vector<Stretch> stretches;
     for (const LineMesh::Run& run : lines.runs) {
-        const float width = width_px(frame.view, call.look, run.line_class);
+        const float width = width_px(frame.view, look, run.line_class);
         if (width <= 0.0f) continue;
-        const bool is_cut = call.crease_rad > lines.crease_rad;
-        const std::uint32_t count = is_cut ? run_length_at(run, surface, call.crease_rad) : run.count;
         const bool continues = !stretches.empty() &&
                                stretches.back().first_line + stretches.back().count == run.first_line &&
                                (path == LinePath::quads || stretches.back().width_px == width);
         if (continues)
-            stretches.back().count += count;
+            stretches.back().count += run.count;
         else
-            stretches.push_back({run.first_line, count, width});
+            stretches.push_back({run.first_line, run.count, width});
     }
     return stretches;
 }

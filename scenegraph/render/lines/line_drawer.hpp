@@ -46,7 +46,7 @@ class LineDrawer {
  public:
     LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuState& state, LineIndices& indices);
 
-    void draw(const LineFrame& frame, const LineRun& run, EdgeStore& edges);
+    void draw(const LineFrame& frame, const LineRun& run, const EdgeStore& edges);
     LineCounters take_counters() { return std::exchange(counters_, {}); }
 
  private:
@@ -54,11 +54,11 @@ class LineDrawer {
     struct LineProgram;
 
     LinePath path_for(const LineFrame& frame, const LineLook& look) const;
-    std::vector<std::uint32_t> stream_silhouettes(const LineFrame& frame, const LineRun& run, EdgeStore& edges);
+    std::vector<std::uint32_t> stream_silhouettes(const LineFrame& frame, const LineRun& run, const EdgeStore& edges);
     /// Programs of one path for one look: bodies of lines, and for GL_LINES their ends.
     std::vector<LineProgram> programs_for(LinePath path, const LineLook& look, bool has_presence) const;
-    static std::vector<Stretch> stretches_of(const LineMesh& lines, const Surface& surface, const LineFrame& frame,
-                                             const LineRun& run, LinePath path);
+    static std::vector<Stretch> stretches_of(const LineMesh& lines, const LineFrame& frame, const LineLook& look,
+                                             LinePath path);
     void set_look(const LineProgram& program, const LineFrame& frame, const LineRun& run);
     void draw_item(const LineProgram& program, const LineFrame& frame, const LineLook& look, const LineItem& item,
                    const LineMesh& lines, const LineBuffer& buffer, std::span<const Stretch> stretches);

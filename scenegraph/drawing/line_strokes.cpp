@@ -1,4 +1,4 @@
-#include "hatchway/render/lines/line_strokes.hpp"
+#include "hatchway/drawing/line_strokes.hpp"
 
 #include <algorithm>
 #include <bit>

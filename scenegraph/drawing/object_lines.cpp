@@ -1,0 +1,134 @@
+#include "hatchway/drawing/object_lines.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace hw {
+namespace {
+
+class LineCollector {
+ public:
+    explicit LineCollector(const ObjectEdges& edges)
+        : surface_(edges.surface),
+          seams_(edges.extras.seams),
+          has_sides_(edges.is_culled && edges.surface.report.flipped_faces == 0)
+    {
+    }
+
+    void add(EdgeRange range, LineClass line_class)
+    {
+        for (std::uint32_t id = range.begin; id < range.end; ++id) {
+            if (is_hidden(id)) continue;
+            const auto [a, b] = edge_vertices(surface_, id);
+            lines.push_back({.ends = {surface_.positions[a], surface_.positions[b]},
+                             .line_class = line_class,
+                             .source = {LineSource::Kind::edge, id},
+                             .sides = sides_of(id),
+                             .fold_rad = is_crease(line_class) ? fold_rad(surface_, id) : 0.0f});
+        }
+    }
+    void add_piece(const std::array<glm::vec3, 2>& ends, LineClass line_class, LineSource source)
+    {
+        lines.push_back({.ends = ends, .line_class = line_class, .source = source});
+    }
+
+    std::vector<ObjectLine> lines;
+
+ private:
+    bool is_hidden(std::uint32_t id) const
+    {
+        const auto is_among = [&](const std::vector<std::uint32_t>& rising) {
+            return std::binary_search(rising.begin(), rising.end(), id);
+        };
+        return is_among(seams_.hidden) || is_among(seams_.partly_hidden);
+    }
+    glm::vec3 normal_of(std::uint32_t face) const
+    {
+        const auto& corners = surface_.faces[face];
+        const glm::vec3& p = surface_.positions[corners[0]];
+        const glm::vec3 area = glm::cross(surface_.positions[corners[1]] - p, surface_.positions[corners[2]] - p);
+        const float size = glm::length(area);
+        return size > 0.0f ? area / size : glm::vec3(0.0f);
+    }
+    /// None where a repair turned faces: the drawn ones wind as the model says. None for complex edges: they have more.
+    LineSides sides_of(std::uint32_t id) const
+    {
+        const auto faces = surface_.edges[id].faces();
+        const bool is_border = id < surface_.edges.two_faced().begin;
+        if (!has_sides_ || faces[0] >= surface_.faces.size()) return {};
+        const LineSides alone{normal_of(faces[0]), normal_of(faces[0])};
+        if (faces[1] == kNoFace) return alone;
+        if (is_border || faces[1] >= surface_.faces.size()) return {};
+        const LineSides both{alone.normal_a, normal_of(faces[1])};
+        const bool has_both = both.normal_a != glm::vec3(0.0f) && both.normal_b != glm::vec3(0.0f);
+        return has_both ? both : LineSides{};
+    }
+
+    const Surface& surface_;
+    const Seams& seams_;
+    bool has_sides_;
+};
+
+void set_strokes(std::vector<ObjectLine>& lines)
+{
+    std::vector<StrokeSegment> segments;
+    segments.reserve(lines.size());
+    for (const ObjectLine& line : lines) segments.push_back({line.ends, line.line_class});
+    const std::vector<LineStroke> strokes = find_strokes(segments);
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i].stroke = strokes[i];
+}
+
+void set_crowding(std::vector<ObjectLine>& lines, const LineCrowding& crowding)
+{
+    std::vector<glm::vec3> places;  // of each line both ends and the middle
+    places.reserve(3 * lines.size());
+    for (const ObjectLine& line : lines) {
+        const auto& [a, b] = line.ends;
+        places.insert(places.end(), {a, b, 0.5f * (a + b)});
+    }
+    const std::vector<glm::vec4> crowds = crowding.at(places);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        lines[i].crowding = crowding_of_line(crowds[3 * i], crowds[3 * i + 1], crowds[3 * i + 2]);
+}
+
+}  // namespace
+
+const ObjectLine* ObjectLines::find(LineSource source) const
+{
+    const auto found = std::lower_bound(by_source.begin(), by_source.end(), source,
+                                        [&](std::uint32_t line, LineSource s) { return lines[line].source < s; });
+    return found != by_source.end() && lines[*found].source == source ? &lines[*found] : nullptr;
+}
+
+LineCrowding crowding_of(const ObjectEdges& edges)
+{
+    std::vector<std::array<glm::vec3, 2>> pieces;
+    for (const ObjectIntersection& piece : edges.extras.intersections) pieces.push_back(piece.ends);
+    return LineCrowding(crowding_lines(edges.surface, edges.crease_rad, &edges.extras.seams, pieces));
+}
+
+ObjectLines object_lines(const ObjectEdges& edges, const LineCrowding* crowding)
+{
+    const EdgeClasses classes = classes_at(edges.surface, edges.crease_rad);
+    LineCollector collector(edges);
+    collector.add(classes.borders, LineClass::border);
+    for (std::uint32_t i = 0; i < edges.extras.seams.kept.size(); ++i)
+        collector.add_piece(edges.extras.seams.kept[i], LineClass::border, {LineSource::Kind::kept, i});
+    for (const ObjectIntersection& piece : edges.extras.intersections)
+        collector.add_piece(piece.ends, LineClass::intersection, {LineSource::Kind::intersection, piece.index});
+    for (const EdgeRange range : classes.artist) collector.add(range, LineClass::artist);
+    for (const EdgeRange range : classes.ridges) collector.add(range, LineClass::ridge);
+    for (const EdgeRange range : classes.valleys) collector.add(range, LineClass::valley);
+
+    ObjectLines result{.lines = std::move(collector.lines), .by_source = {}};
+    set_strokes(result.lines);
+    if (crowding != nullptr) set_crowding(result.lines, *crowding);
+    result.by_source.resize(result.lines.size());
+    std::iota(result.by_source.begin(), result.by_source.end(), 0u);
+    std::sort(result.by_source.begin(), result.by_source.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return result.lines[a].source < result.lines[b].source; });
+    return result;
+}
+
+}  // namespace hw

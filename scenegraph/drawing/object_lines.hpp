@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "hatchway/drawing/line_extras.hpp"
+#include "hatchway/drawing/line_strokes.hpp"
+#include "hatchway/geometry/lines/line_class.hpp"
+#include "hatchway/geometry/lines/line_crowding.hpp"
+#include "hatchway/geometry/lines/line_source.hpp"
+
+namespace hw {
+
+/// The faces beside a line.
+struct LineSides {
+    /// Unit normals, equal at a border: a line whose faces are all culled is not drawn. Zero: drawn whatever they do.
+    glm::vec3 normal_a{0.0f};
+    glm::vec3 normal_b{0.0f};
+};
+
+/// A line that is drawn from every viewpoint where it is not hidden. Object space.
+struct ObjectLine {
+    std::array<glm::vec3, 2> ends{};
+    LineClass line_class = LineClass::border;
+    LineSource source;
+    LineSides sides;
+    float fold_rad = 0.0f;  ///< Of creases.
+    LineStroke stroke;
+    std::array<glm::vec4, 2> crowding{};  ///< LineCrowding at both ends.
+};
+
+/// All lines of an object but its silhouettes, at one crease angle, class after class.
+struct ObjectLines {
+    std::vector<ObjectLine> lines;
+
+    /// The line of a source; null for one that these lines do not have.
+    const ObjectLine* find(LineSource source) const;
+
+    std::vector<std::uint32_t> by_source;  ///< Places in `lines`, by rising source.
+};
+
+/// How an object's surface is drawn, as far as its lines depend on it.
+struct ObjectEdges {
+    const Surface& surface;
+    float crease_rad = 0.7f;
+    const ObjectExtras& extras;
+    bool is_culled = true;  ///< Faces that look away from the eye are not drawn.
+};
+
+/// How crowded the lines of an object are, its silhouettes and its extras among them.
+LineCrowding crowding_of(const ObjectEdges& edges);
+
+/// The lines of an object. `crowding`: of the same object, or null where no style thins far lines.
+ObjectLines object_lines(const ObjectEdges& edges, const LineCrowding* crowding);
+
+}  // namespace hw
