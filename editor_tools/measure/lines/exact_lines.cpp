@@ -1,8 +1,8 @@
 #include "measure/lines/exact_lines.hpp"
 
 #include <algorithm>
-#include <glm/trigonometric.hpp>
 
+#include "hatchway/render/view/line_camera.hpp"
 #include "hatchway/stage/whole_scene.hpp"
 #include "hatchway/world/camera_path.hpp"
 #include "measure/lines/timed_lines.hpp"
@@ -17,14 +17,6 @@ std::vector<ObjectPens> all_with(const Scene& scene, const ObjectLineLook& pen)
     pens.edges.has_intersections = true;
     pens.looks.push_back(pen);
     return std::vector<ObjectPens>(scene.objects.size(), pens);
-}
-
-LineCamera line_camera(const CameraPlace& camera, glm::ivec2 size_px)
-{
-    return {.eye_world = camera.eye_world,
-            .target_world = camera.target_world,
-            .fov_rad = glm::radians(camera.fov_deg),
-            .size_px = size_px};
 }
 
 }  // namespace
@@ -51,15 +43,16 @@ std::vector<CameraPlace> ExactLines::cameras(int count, double aspect) const
 std::vector<VisibleLine> ExactLines::find(const CameraPlace& camera, glm::ivec2 size_px, double* seconds) const
 {
     const VisibleLineOptions options{.intersections = lines_.intersections()};
-    const LineCamera place = line_camera(camera, size_px);
+    const LineCamera place = line_camera(camera, camera_view(camera, size_px, scene().bounds_world));
     return seconds == nullptr ? find_visible_lines(lines_.objects(), place, options)
                               : timed_visible_lines(lines_.objects(), place, options, 5, *seconds);
 }
 
 std::vector<VectorLine> ExactLines::drawn(const CameraPlace& camera, glm::ivec2 size_px, double* seconds)
 {
+    const LineCamera place = line_camera(camera, camera_view(camera, size_px, scene().bounds_world));
     std::vector<VectorLine> lines;
-    for (VectorObject& object : lines_.drawing(find(camera, size_px, seconds), line_camera(camera, size_px)).objects)
+    for (VectorObject& object : lines_.drawing(find(camera, size_px, seconds), place).objects)
         for (VectorGroup& group : object.groups)
             for (VectorLine& line : group.lines) lines.push_back(std::move(line));
     return lines;

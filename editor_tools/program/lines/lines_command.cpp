@@ -9,6 +9,7 @@
 #include "hatchway/io/drawings/svg_drawing.hpp"
 #include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
+#include "hatchway/render/view/line_camera.hpp"
 #include "hatchway/stage/level_styles.hpp"
 #include "measure/lines/timed_lines.hpp"
 #include "program/arguments.hpp"
@@ -45,17 +46,6 @@ void check_arguments(const LinesArguments& arguments)
     if (arguments.out.extension() != ".svg" && arguments.out.extension() != ".pdf")
         throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .svg or .pdf"});
     require_outputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.file});
-}
-
-/// The picture that `render` takes: the same place, near plane and size.
-LineCamera line_camera(const CameraPlace& place, const View& view)
-{
-    const glm::mat4& clip = view.clip_from_view;
-    return {.eye_world = place.eye_world,
-            .target_world = place.target_world,
-            .fov_rad = place.fov_deg * kRadians,
-            .size_px = view.size_px,
-            .near_m = clip[3][2] / (clip[2][2] - 1.0)};
 }
 
 VisibleLineOptions line_options(const LinesArguments& arguments)

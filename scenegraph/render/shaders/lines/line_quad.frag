@@ -46,10 +46,7 @@ void main()
         off_middle.y -= forward * hw_stroke_stray(arc, hw_v_stroke_whole.y, px_per_unit);
         ends += vec2(-hw_v_stroke_whole.z, hw_v_stroke_whole.w);
         off_middle.x = hw_v_line.x - clamp(hw_v_line.x, ends.x, ends.y);
-        if (hw_stroke_px.w > 0.0 && hw_v_stroke_whole.x > 0.0) {
-            float end_px = max(min(arc, hw_v_stroke_whole.x - arc), 0.0) * px_per_unit;
-            half_width *= mix(0.3, 1.0, smoothstep(0.0, hw_stroke_px.w, end_px));
-        }
+        half_width *= hw_stroke_taper(arc, hw_v_stroke_whole.x, px_per_unit);
         if (hw_stroke_dash.x > 0.0) broken = hw_stroke_dash_at(arc, hw_v_stroke_whole.y, px_per_unit);
     }
 #endif

@@ -1,7 +1,8 @@
 // How a hand departs from a ruler. All of it is a function of the place on the object: of the length along the stroke and
 // the stroke's seed, and for silhouettes, which are other edges in every view, of the place itself. Bends are as long as
 // the look wants them on the screen, taken from the two nearest lengths in powers of two on the object, so that nothing
-// slides over it when the eye moves. Included by line_quad.frag.
+// slides over it when the eye moves. drawing/stroke_shape.cpp computes the same for vectors, and a test compares them.
+// Included by line_quad.frag.
 
 uniform vec4 hw_stroke_px;    // x stray sideways, y length of a bend, z overshoot, w length of the thin ends
 uniform vec2 hw_stroke_dash;  // x dash and gap in pixels, 0: unbroken; y share of the dash
@@ -65,6 +66,14 @@ vec2 hw_silhouette_stray(vec3 place, float px_per_unit)
     for (int axis = 0; axis < 2; ++axis)
         stray[axis] = mix(hw_stroke_noise(place * fine, float(axis)), hw_stroke_noise(place * 0.5 * fine, float(axis)), octave.y);
     return hw_stroke_px.x * stray;
+}
+
+// The share of its width that a stroke has near its ends; closed ones have none.
+float hw_stroke_taper(float arc, float whole, float px_per_unit)
+{
+    if (hw_stroke_px.w <= 0.0 || whole <= 0.0) return 1.0;
+    float end_px = max(min(arc, whole - arc), 0.0) * px_per_unit;
+    return mix(0.3, 1.0, smoothstep(0.0, hw_stroke_px.w, end_px));
 }
 
 // Coverage of a broken line.
