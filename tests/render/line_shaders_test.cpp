@@ -79,7 +79,7 @@ class line_shaders : public testing::Test {
 LineLook random_look(const ShaderInputs& inputs)
 {
     LineLook look;
-    for (int i = 0; i < kLineClassCount; ++i) look.width_px[i] = 0.2f + 4.0f * inputs.pick_for_all(i);
+    for (int i = 0; i < kLineClassCount; ++i) look.pens[i].width_px = 0.2f + 4.0f * inputs.pick_for_all(i);
     look.depth_taper = inputs.pick_for_all(20) < 0.3f ? 0.0f : inputs.pick_for_all(21);
     look.taper_from_m = 0.5f + 40.0f * inputs.pick_for_all(22);
     look.fold_weight = inputs.pick_for_all(23);
@@ -101,7 +101,9 @@ TEST_F(line_shaders, draw_lines_as_wide_as_vectors_are)
         [&](const GpuProgram& gpu, const ShaderInputs& inputs) {
             const LineLook look = random_look(inputs);
             const float window_px = look.far.is_on ? look.far.full_spacing_px / kFullSpacingInWindows : 0.0f;
-            GpuProgram::set(gpu.location("hw_line_width_px[0]"), std::span<const float>(look.width_px));
+            std::array<float, kLineClassCount> widths_px;
+            for (int i = 0; i < kLineClassCount; ++i) widths_px[i] = look.pens[i].width_px;
+            GpuProgram::set(gpu.location("hw_line_width_px[0]"), std::span<const float>(widths_px));
             GpuProgram::set(gpu.location("hw_line_taper"), glm::vec2(look.depth_taper, look.taper_from_m));
             GpuProgram::set(gpu.location("hw_line_fold"), glm::vec3(look.fold_weight, crease_of(inputs), kWholeFold));
             GpuProgram::set(gpu.location("hw_line_fade"),
@@ -120,7 +122,7 @@ TEST_F(line_shaders, draw_lines_as_wide_as_vectors_are)
             const LineLook look = random_look(inputs);
             const double width = line_width_px(look, crease_of(inputs), place);
             ++count;
-            thinned += width < 0.5 * look.width_px[static_cast<std::size_t>(place.line_class)] ? 1 : 0;
+            thinned += width < 0.5 * look[place.line_class].width_px ? 1 : 0;
             worst = std::max(worst, std::abs(drawn.r - width) / std::max(width, 1e-3));
         });
     EXPECT_EQ(count, kCalls * kSide * kSide);

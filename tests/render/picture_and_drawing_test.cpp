@@ -207,10 +207,9 @@ TEST_F(picture_and_drawing, of_two_styles_on_one_object_each_have_their_own_crea
     add(sphere_mesh(1.0f, 12), {0, 0, 0});
     TestStyle fine{glm::vec3(1.0f)}, coarse{glm::vec3(1.0f)};
     fine.look.emplace();
-    fine.look->crease_rad = 0.1f;
+    fine.crease_rad = 0.1f;
     fine.look->far.is_on = false;
     coarse.look = fine.look;
-    coarse.look->crease_rad = 0.7f;
     StyledObject look{.style = 0, .over = 1, .presence = {.constant = 0.5f}};
     load({{"fine", &fine}, {"coarse", &coarse}}, {look});
     expect_alike_as_loaded("two_styles", {{0.3, 1.2, 3.2}, {0, 0, 0}, 50.0});
@@ -221,12 +220,15 @@ TEST_F(picture_and_drawing, of_two_styles_on_one_object_each_have_their_own_crea
 
 TEST_F(picture_and_drawing, by_hand_have_the_same_strokes)
 {
-    add(box_mesh({2.0f, 1.4f, 1.0f}), {0, 0.7, 0});
+    add(box_mesh({2.03f, 1.37f, 1.11f}), {0.07, 0.7, 0});
     add(sphere_mesh(0.6f, 24), {1.7, 0.6, 0.8});
-    style_.look->stroke = {.wobble_px = 3.0f, .bend_px = 30.0f, .overshoot_px = 12.0f, .taper_px = 20.0f};
-    expect_alike("by_hand", {{1.6, 2.4, 4.4}, {0.3, 0.6, 0}, 50.0}, 0.99);
+    const CameraPlace camera{{1.6, 2.4, 4.4}, {0.3, 0.6, 0}, 50.0};
+    style_.look->stroke = {.wobble_px = 3.0f, .bend_px = 30.0f, .taper_px = 20.0f};
+    expect_alike("bent", camera);
+    style_.look->stroke = {.overshoot_px = 30.0f};
+    expect_alike("overshot", camera);
     style_.look->stroke = {.dash_px = 16.0f, .dash_share = 0.5f};
-    expect_alike("dashed", {{1.6, 2.4, 4.4}, {0.3, 0.6, 0}, 50.0}, 0.99);
+    expect_alike("dashed", camera);
 }
 
 }  // namespace hw::test

@@ -10,21 +10,18 @@
 namespace hw {
 namespace {
 
-std::vector<ObjectPens> all_with(const Scene& scene, const ObjectLineLook& pen)
+std::vector<ObjectPens> all_in(const Scene& scene, const NamedStyle& style)
 {
-    ObjectPens pens;
-    pens.edges.crease_rad.push_back(pen.crease_rad);
-    pens.edges.has_intersections = true;
-    pens.looks.push_back(pen);
-    return std::vector<ObjectPens>(scene.objects.size(), pens);
+    const std::vector<StyledObject> objects(scene.objects.size(), StyledObject{.style = 0});
+    return object_pens(scene, {&style, 1}, objects, View());
 }
 
 }  // namespace
 
-ExactLines::ExactLines(const std::filesystem::path& file, const ObjectLineLook& pen)
+ExactLines::ExactLines(const std::filesystem::path& file, const NamedStyle& style)
     : level_(read_level_with(file, {})),
       world_(open_world(level_, nullptr)),
-      lines_(world_->scene, all_with(world_->scene, pen))
+      lines_(world_->scene, all_in(world_->scene, style))
 {
 }
 

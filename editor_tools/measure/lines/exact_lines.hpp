@@ -10,10 +10,10 @@
 
 namespace hw {
 
-/// The exact visible lines of a level or a model in which every object is drawn with one pen.
+/// The exact visible lines of a level or a model in which every object wears one style.
 class ExactLines {
  public:
-    ExactLines(const std::filesystem::path& file, const ObjectLineLook& pen);
+    ExactLines(const std::filesystem::path& file, const NamedStyle& style);
 
     const Level& level() const { return level_; }
     const LevelWorld& world() const { return *world_; }
@@ -25,7 +25,7 @@ class ExactLines {
     /// `seconds`, when not null, gets what it costs, extraction, occlusion and chaining: the median of five runs.
     std::vector<VisibleLine> find(const CameraPlace& camera, glm::ivec2 size_px, double* seconds = nullptr) const;
 
-    /// The same in pieces with the widths that the pen has there: what crowded lines of far objects are thinned to.
+    /// The same in pieces with the widths that the style has there: what crowded lines of far objects are thinned to.
     std::vector<VectorLine> drawn(const CameraPlace& camera, glm::ivec2 size_px, double* seconds = nullptr);
 
  private:

@@ -82,27 +82,16 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& rende
     return style;
 }
 
-/// How that style draws lines.
-ObjectLineLook measured_pen()
-{
-    ObjectLineLook pen{.crease_rad = static_cast<float>(glm::radians(kCreaseDeg))};
-    pen.look.all({.width_px = kCreaseWidthPx});
-    for (const LineClass contour : {LineClass::silhouette, LineClass::border})
-        pen.look[contour].width_px = kContourWidthPx;
-    return pen;
-}
-
 /// A level or model in lines, and its exact drawing.
 class MeasuredScene {
  public:
     MeasuredScene(const std::filesystem::path& file, const PluginRegistry& plugins, Renderer& renderer)
-        : renderer_(renderer), exact_(file, measured_pen()), style_(line_style(plugins, renderer))
+        : renderer_(renderer), style_(line_style(plugins, renderer)), exact_(file, {"lines", style_.get()})
     {
         SceneInput input;
         input.scene = &scene();
         input.styles = {{"lines", style_.get()}};
-        input.objects.resize(scene().objects.size());
-        for (StyledObject& object : input.objects) object.style = 0;
+        input.objects.assign(scene().objects.size(), StyledObject{.style = 0});
         input.chunks = exact_.world().chunks;
         input.background_srgb = glm::vec3(1.0f);
         renderer.load(std::move(input));
@@ -133,8 +122,8 @@ class MeasuredScene {
 
  private:
     Renderer& renderer_;
-    ExactLines exact_;
     std::unique_ptr<Style> style_;
+    ExactLines exact_;
 };
 
 /// The drawing in grey, ink that leaked in red, lines that are missed in blue.

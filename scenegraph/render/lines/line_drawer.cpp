@@ -59,7 +59,8 @@ LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) cons
     return fits ? LinePath::native : LinePath::quads;
 }
 
-std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineRun& run, const EdgeStore& edges)
+std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame, const LineRun& run,
+                                                          const EdgeStore& edges)
 {
     std::vector<std::uint32_t> first_lines;
     vertices_.clear();
