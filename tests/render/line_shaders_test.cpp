@@ -12,6 +12,7 @@
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/gpu_state.hpp"
 #include "hatchway/gl/gpu_target.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/render/device/program_store.hpp"
 
 namespace hw::test {
