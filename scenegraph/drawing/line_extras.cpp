@@ -17,7 +17,10 @@ void find_object_seams(const Scene& scene, std::span<const EdgeDemand> demands, 
     float crease_rad = kNoCreases;
     for (ObjectId id = 0; id < demands.size(); ++id) {
         if (!demands[id].is_any()) continue;
-        together.push_back({&surfaces.of(id), scene.world_from_object(id), demands[id].style_group});
+        together.push_back({.surface = &surfaces.of(id),
+                            .world_from_object = scene.world_from_object(id),
+                            .style = demands[id].style_group,
+                            .is_double_sided = !surfaces.is_culled(id)});
         ids.push_back(id);
         crease_rad = std::min(crease_rad, demands[id].crease_rad.front());
     }

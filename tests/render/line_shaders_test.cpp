@@ -72,7 +72,8 @@ class line_shaders : public testing::Test {
     }
 
     std::unique_ptr<Context> context_ = make_headless_context();
-    ProgramStore programs_{installation_prefix() / "share" / "hatchway" / "shaders", context_->device().is_es};
+    ProgramStore programs_{installation_prefix() / "share/hatchway/shaders",
+                           installation_prefix() / "share/hatchway/kit", context_->device().is_es};
     GpuState state_;
     GpuVertexArray no_vertices_{{}, nullptr};
 };
