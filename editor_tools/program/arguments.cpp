@@ -9,6 +9,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/io/model/import.hpp"
 #include "program/output_files.hpp"
 
 namespace hw {
@@ -16,9 +17,9 @@ namespace fs = std::filesystem;
 
 void add_level_arguments(CommandLine command, LevelArguments& arguments)
 {
-    command.add_option("level", arguments.file, "A level file (.json) or a bare model (.glb, .gltf)")
+    command.add_option("level", arguments.file, fmt::format("A level file (.json) or a bare model ({})", kModelFormats))
         .required()
-        .option_text("LEVEL|GLB");
+        .option_text("LEVEL|MODEL");
     command
         .add_option("--style", arguments.styles,
                     "Draw the nodes of a path glob in a style: '*=pen_and_ink'; repeatable")

@@ -8,8 +8,8 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
-#include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "hatchway/io/model/import.hpp"
 #include "hatchway/stage/level_light.hpp"
 #include "hatchway/world/light/bake.hpp"
 
@@ -82,7 +82,7 @@ std::shared_ptr<const LevelWorld> open_world(const Level& level, const Visibilit
                                              BakedLight baked_light, const CompiledCache* cache)
 {
     auto world = std::make_shared<LevelWorld>();
-    world->scene = import_gltf(level.scene_file, level.project_root);
+    world->scene = import_model(level.scene_file, level.project_root);
     world->chunks.reserve(world->scene.meshes.size());
     for (MeshData& mesh : world->scene.meshes) world->chunks.push_back(split_into_chunks(mesh));
     if (visibility) {

@@ -237,7 +237,7 @@ void add_measure_lines(CommandLine measure)
 {
     auto arguments = std::make_shared<LinesMeasureArguments>();
     CommandLine command = measure.add_subcommand("lines", "Drawn lines against the exact visible lines");
-    command.add_option("FILES", arguments->files, "Levels or models").required().option_text("GLB|LEVEL...");
+    command.add_option("FILES", arguments->files, "Levels or models").required().option_text("MODEL|LEVEL...");
     command.add_option("--views", arguments->views, "Views of each: its cameras, else around it; 4")
         .option_text("N")
         .check(whole_number_in(1, 1'000));

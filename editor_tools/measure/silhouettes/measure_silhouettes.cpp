@@ -13,9 +13,9 @@
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/geometry/silhouettes/silhouettes.hpp"
-#include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "hatchway/io/model/import.hpp"
 #include "measure/measures.hpp"
 #include "measure/silhouettes/half_edge_mesh.hpp"
 #include "measure/silhouettes/silhouette_oracle.hpp"
@@ -286,7 +286,7 @@ std::string row_text(const Row& row)
 MeshData merged_mesh(const std::filesystem::path& file)
 {
     const Level level = read_level(file);
-    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    const Scene scene = import_model(level.scene_file, level.project_root);
     MeshData merged;
     for (const MeshData& mesh : scene.meshes) {
         const auto first = static_cast<std::uint32_t>(merged.positions.size());
@@ -344,7 +344,7 @@ void add_measure_silhouettes(CommandLine measure)
     auto arguments = std::make_shared<SilhouetteMeasureArguments>();
     CommandLine command =
         measure.add_subcommand("silhouettes", "Time and errors of every way to find silhouette edges");
-    command.add_option("models", arguments->files, "Models or levels").option_text("GLB...");
+    command.add_option("models", arguments->files, "Models or levels").option_text("MODEL...");
     command.add_option("--smooth", arguments->smooth, "Add bumpy spheres of so many triangles, to see how a cost grows")
         .delimiter(',')
         .option_text("LIST")

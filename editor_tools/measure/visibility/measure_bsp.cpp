@@ -5,9 +5,9 @@
 #include <chrono>
 #include <iostream>
 
-#include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "hatchway/io/model/import.hpp"
 #include "measure/measures.hpp"
 #include "measure/visibility/bsp_measure.hpp"
 #include "program/arguments.hpp"
@@ -26,7 +26,7 @@ struct BspMeasureArguments {
 JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
 {
     const Level level = read_level(file);
-    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    const Scene scene = import_model(level.scene_file, level.project_root);
     const auto start = std::chrono::steady_clock::now();
     Structure structure = choose_structure(scene, level, {});
     const BspBuild build =

@@ -6,9 +6,9 @@
 #include <iostream>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "hatchway/io/model/import.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/walk/walk_styles.hpp"
 #include "hatchway/world/looks.hpp"
@@ -81,7 +81,7 @@ void tell_faults(const std::string& file, const WalkCounts& counts)
 JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArguments& arguments)
 {
     const Level level = read_level(file);
-    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    const Scene scene = import_model(level.scene_file, level.project_root);
     const std::vector<ObjectLook> looks = resolve_looks(level, scene, kFallbackStyle);
     const CollisionWorld world = build_collision_world(scene, looks);
     const measure::WalkOracle oracle(scene, looks);

@@ -104,7 +104,7 @@ void add_bake_command(CommandLine app)
 {
     auto arguments = std::make_shared<BakeArguments>();
     CommandLine command = app.add_subcommand("bake", "Bakes a level's light: soft shadows and light that bounces");
-    command.add_option("level", arguments->file, "A level or a bare model").required().option_text("LEVEL|GLB");
+    command.add_option("level", arguments->file, "A level or a bare model").required().option_text("LEVEL|MODEL");
     command.add_option("--quality", arguments->quality, "draft: coarse and grainy; final: what is shipped")
         .check(one_of({"draft", "final"}));
     command.add_option("--luxels-per-m", arguments->luxels_per_m, "Density on surfaces; draft 2, final 8")

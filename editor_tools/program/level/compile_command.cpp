@@ -81,7 +81,7 @@ void add_compile_command(CommandLine app)
     auto arguments = std::make_shared<CompileArguments>();
     CommandLine command =
         app.add_subcommand("compile", "Compiles what can be seen from where, as walk and render do at the first start");
-    command.add_option("level", arguments->file, "A level or a bare model").required().option_text("LEVEL|GLB");
+    command.add_option("level", arguments->file, "A level or a bare model").required().option_text("LEVEL|MODEL");
     command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
     command.add_option("--pvs", arguments->effort, "How tight; walk and render take what is at least full")
         .check(one_of(kPvsEfforts));

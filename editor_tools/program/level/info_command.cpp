@@ -161,7 +161,7 @@ void add_info_command(CommandLine app)
     auto arguments = std::make_shared<InfoArguments>();
     CommandLine command =
         app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
-    command.add_option("level", arguments->file, "A bare model or a level").required().option_text("GLB|LEVEL");
+    command.add_option("level", arguments->file, "A bare model or a level").required().option_text("MODEL|LEVEL");
     command.add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
     command
         .add_option(

@@ -7,9 +7,9 @@
 #include "hatchway/drawing/level_lines.hpp"
 #include "hatchway/io/drawings/pdf_drawing.hpp"
 #include "hatchway/io/drawings/svg_drawing.hpp"
-#include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/render/view/line_camera.hpp"
+#include "hatchway/io/model/import.hpp"
 #include "hatchway/stage/level_styles.hpp"
 #include "measure/lines/timed_lines.hpp"
 #include "program/arguments.hpp"
@@ -115,7 +115,7 @@ void draw_lines(const LinesArguments& arguments)
     check_arguments(arguments);
     const glm::ivec2 size = parse_size(arguments.size);
     const Level level = read_level_with(arguments.file, arguments.styles);
-    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    const Scene scene = import_model(level.scene_file, level.project_root);
     warn_of_idle_styles(level, scene, arguments.styles.size());
     const Shot shot = shots_of(arguments.shot, level, scene, static_cast<double>(size.x) / size.y).front();
     const View view = camera_view(shot.camera, size, scene.bounds_world);
@@ -152,7 +152,7 @@ void add_lines_command(CommandLine app)
 {
     auto arguments = std::make_shared<LinesArguments>();
     CommandLine command = app.add_subcommand("lines", "Draws the visible lines of a level as vectors, SVG or PDF");
-    command.add_option("level", arguments->file, "A level, or a bare model").required().option_text("LEVEL|GLB");
+    command.add_option("level", arguments->file, "A level, or a bare model").required().option_text("LEVEL|MODEL");
     add_picture_arguments(command, *arguments);
     command.add_option("--hidden", arguments->hidden, "Hidden lines: none, or dashed")
         .option_text("HOW")

@@ -6,9 +6,9 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/drawing/scene_surfaces.hpp"
 #include "hatchway/geometry/silhouettes/silhouettes.hpp"
-#include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "hatchway/io/model/import.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/option_rules.hpp"
@@ -129,7 +129,7 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     require_outputs(outputs, {arguments.file});
 
     const Level level = read_level(arguments.file);
-    const Scene scene = import_gltf(level.scene_file, level.project_root);
+    const Scene scene = import_model(level.scene_file, level.project_root);
     require_unread(outputs);
     const SilhouetteOptions options{.crease_rad = static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0),
                                     .method = method_named(arguments.method)};
@@ -162,7 +162,7 @@ void add_silhouettes_command(CommandLine app)
     auto arguments = std::make_shared<SilhouetteArguments>();
     CommandLine command =
         app.add_subcommand("silhouettes", "Finds the silhouette edges of a model as seen from an eye");
-    command.add_option("level", arguments->file, "A bare model or a level").required().option_text("GLB|LEVEL");
+    command.add_option("level", arguments->file, "A bare model or a level").required().option_text("MODEL|LEVEL");
     command.add_option("--eye", arguments->eye, "The eye, world space, metres").required().option_text("X,Y,Z");
     command
         .add_option("--method", arguments->method,

@@ -1,11 +1,14 @@
 #include "hatchway/io/level/file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/level/reader.hpp"
+#include "hatchway/io/model/import.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -24,7 +27,7 @@ Level bare_model(const fs::path& file)
     if (!fs::is_regular_file(file, failed))
         throw Error({.what = fs::exists(file, failed) ? "is not a regular file" : "there is no such file",
                      .file = file.string(),
-                     .expected = "a model (.glb, .gltf) or a level (.json)"});
+                     .expected = fmt::format("a level (.json) or a model ({})", kModelFormats)});
     Level level;
     level.file = file;
     level.project_root = find_project_root(file);
@@ -59,11 +62,11 @@ Level parse_level(const std::string& text, const fs::path& file)
 Level read_level(const fs::path& file)
 {
     const std::string extension = lower_extension(file);
-    if (extension == ".glb" || extension == ".gltf") return bare_model(file);
+    if (is_model_file(file)) return bare_model(file);
     if (extension == ".json") return parse_level(read_text_file(file, limits::kMaxLevelFileBytes), file);
     throw Error({.what = "a file of this kind cannot be opened",
                  .file = file.string(),
-                 .expected = "a level (.json) or a model (.glb, .gltf)"});
+                 .expected = fmt::format("a level (.json) or a model ({})", kModelFormats)});
 }
 
 }  // namespace hw

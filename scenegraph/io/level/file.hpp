@@ -7,7 +7,7 @@
 
 namespace hw {
 
-/// Reads a level file (.json, comments allowed), or a bare model (.glb, .gltf), which gives a level with defaults. The
+/// Reads a level file (.json, comments allowed), or a bare model (kModelFormats), which gives a level with defaults. The
 /// model itself is not opened. Throws hw::Error with file, JSON pointer, what was found and what is allowed for text
 /// that is no JSON, an unknown, repeated or missing key, a wrong type, a value out of range, a path that leaves the
 /// project. Styles and their parameters belong to plugins, maps to files: who loads those checks them.

@@ -159,7 +159,8 @@ void visit_keys(Visitor& v, Level& level)
 {
     v.ignored({"$schema", "The schema that editors check this file with."});
     v.constant({"format", "The version of this format.", true}, kLevelFormat);
-    v.file({"scene", "The model, .glb or .gltf, relative to this file.", true}, level.scene_file);
+    v.file({"scene", "The model (.glb, .gltf, .obj, .ply, .stl, .off), relative to this file.", true},
+           level.scene_file);
     v.object({"start", "Where a walk starts."}, level.start);
     v.real({"exposure_ev", "Exposure value; absent: chosen from the lights."}, {-20.0, 40.0}, level.exposure_ev);
     v.colour({"background", "#rrggbb of the sky; absent: paper."}, level.background);

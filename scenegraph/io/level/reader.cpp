@@ -9,6 +9,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/srgb.hpp"
 #include "hatchway/io/level/inherited_styles.hpp"
 #include "hatchway/param/param_reader.hpp"
 
@@ -16,11 +17,6 @@ namespace hw {
 namespace {
 
 using nlohmann::json;
-
-float linear_from_srgb(float srgb)
-{
-    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
-}
 
 bool is_plugin_name(const std::string& name)
 {
