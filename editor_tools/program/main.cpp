@@ -1,8 +1,10 @@
 #include <filesystem>
 
+#include "hatchway/core/budget.hpp"
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "program/commands.hpp"
+#include "program/option_rules.hpp"
 
 namespace {
 
@@ -17,6 +19,9 @@ void add_general_options(hw::CommandLine app)
         "--quiet", [] { hw::set_log_level(hw::LogLevel::error); }, "Log errors only");
     app.add_flag(
         "--verbose", [] { hw::set_log_level(hw::LogLevel::debug); }, "Log details, too");
+    app.add_option("--budget-factor", hw::Budget::factor(),
+                   "Opens levels this many times as large as the limits for strangers' files allow")
+        .check(hw::number_in(1.0, 1e6));
     app.footer("Exit codes: 0 done, 1 our fault, 2 bad usage or bad input.");
 }
 

@@ -1,108 +1,141 @@
+// A pattern is followed from token to token. A state is how many tokens match the text read so far; the states are kept
+// as a rising list, which is short: a text that leaves the pattern has none, and a run adds one.
 #include "hatchway/core/glob.hpp"
 
-#include <algorithm>
-#include <string>
-#include <vector>
+#include <limits>
 
 namespace hw {
 namespace {
 
-/// One step of a pattern: a set of characters, or a run of them.
-struct Token {
-    enum Kind { literal, any, one_of, run, deep_run } kind;
-    char character = 0;
-    std::string_view set = {};
-    bool is_negated = false;
-};
-
-std::vector<Token> tokens_of(std::string_view pattern)
+/// Where the class ends that begins at `open`; npos where it never does.
+std::size_t end_of_class(std::string_view pattern, std::size_t open)
 {
-    std::vector<Token> tokens;
+    return pattern[open] == '[' ? pattern.find(']', open + 2) : std::string_view::npos;
+}
+
+/// The characters of a class, without its brackets.
+std::bitset<256> set_of(std::string_view stated)
+{
+    const bool is_negated = stated.starts_with('!');
+    if (is_negated) stated.remove_prefix(1);
+    std::bitset<256> set;
+    for (std::size_t i = 0; i < stated.size(); ++i) {
+        const bool is_range = i + 2 < stated.size() && stated[i + 1] == '-';
+        const char last = is_range ? stated[i + 2] : stated[i];
+        for (int c = stated[i]; c <= last; ++c) set.set(static_cast<unsigned char>(c));
+        i += is_range ? 2 : 0;
+    }
+    return is_negated ? ~set : set;
+}
+
+}  // namespace
+
+Glob::Glob(std::string_view pattern) : is_all_(pattern == "*")
+{
+    const std::size_t last_close = pattern.rfind(']');  // past it no class is closed, and none needs to be looked for
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         const char c = pattern[i];
-        const std::size_t close = c == '[' ? pattern.find(']', i + 2) : std::string_view::npos;
+        const bool may_close = last_close != std::string_view::npos && i < last_close;
+        const std::size_t close = may_close ? end_of_class(pattern, i) : std::string_view::npos;
         if (c == '*') {
             const bool is_deep = i + 1 < pattern.size() && pattern[i + 1] == '*';
-            tokens.push_back({is_deep ? Token::deep_run : Token::run});
+            add_run(is_deep);
             i += is_deep ? 1 : 0;
-        } else if (c == '?') {
-            tokens.push_back({Token::any});
+            continue;
+        }
+        ++least_length_;
+        if (c == '?') {
+            tokens_.push_back({Token::any});
         } else if (close != std::string_view::npos) {
-            const bool is_negated = pattern[i + 1] == '!';
-            tokens.push_back(
-                {Token::one_of, 0, pattern.substr(i + 1 + is_negated, close - i - 1 - is_negated), is_negated});
+            tokens_.push_back({Token::one_of, 0, static_cast<std::uint32_t>(sets_.size())});
+            sets_.push_back(set_of(pattern.substr(i + 1, close - i - 1)));
             i = close;
         } else {
-            tokens.push_back({Token::literal, c});
+            tokens_.push_back({Token::literal, static_cast<unsigned char>(c)});
         }
     }
-    return tokens;
 }
 
-bool is_in_set(std::string_view set, char c)
+/// Runs that follow each other are one.
+void Glob::add_run(bool is_deep)
 {
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (i + 2 < set.size() && set[i + 1] == '-') {
-            if (set[i] <= c && c <= set[i + 2]) return true;
-            i += 2;
-        } else if (set[i] == c) {
-            return true;
-        }
-    }
-    return false;
+    if (tokens_.empty() || !is_run(tokens_.size() - 1)) tokens_.push_back({Token::run});
+    if (is_deep) tokens_.back().kind = Token::deep_run;
 }
 
-bool accepts(const Token& token, char c)
+bool Glob::is_run(std::size_t token) const
+{
+    return token < tokens_.size() && (tokens_[token].kind == Token::run || tokens_[token].kind == Token::deep_run);
+}
+
+bool Glob::accepts(const Token& token, unsigned char c) const
 {
     switch (token.kind) {
         case Token::literal:
             return token.character == c;
         case Token::any:
-            return c != '/';
-        case Token::one_of:
-            return c != '/' && is_in_set(token.set, c) != token.is_negated;
         case Token::run:
             return c != '/';
+        case Token::one_of:
+            return c != '/' && sets_[token.set][c];
         case Token::deep_run:
             return true;
     }
     return false;
 }
 
-bool is_run(const Token& token)
+/// Adds a state, and the one past an empty run.
+void Glob::reach(std::vector<std::uint32_t>& states, std::uint32_t state) const
 {
-    return token.kind == Token::run || token.kind == Token::deep_run;
+    if (states.empty() || states.back() < state) states.push_back(state);
+    if (is_run(state) && states.back() < state + 1) states.push_back(state + 1);
 }
 
-}  // namespace
+bool Glob::matches(std::string_view text, std::uint64_t& steps_left) const
+{
+    if (is_all_) return true;
+    if (text.size() < least_length_) return false;
+    std::vector<std::uint32_t> states, next;
+    reach(states, 0);
+    for (const char c : text) {
+        if (states.empty()) return false;
+        if (steps_left < states.size()) {
+            steps_left = 0;
+            return false;
+        }
+        steps_left -= states.size();
+        next.clear();
+        for (const std::uint32_t state : states) {
+            if (state == tokens_.size() || !accepts(tokens_[state], static_cast<unsigned char>(c))) continue;
+            reach(next, is_run(state) ? state : state + 1);
+        }
+        states.swap(next);
+    }
+    return !states.empty() && states.back() == tokens_.size();
+}
+
+bool Glob::matches(std::string_view text) const
+{
+    std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+    return matches(text, steps);
+}
 
 bool glob_matches(std::string_view pattern, std::string_view text)
 {
-    if (pattern == "*") return true;
-    const std::vector<Token> tokens = tokens_of(pattern);
-    // reached[i]: the first i tokens match the text read so far.
-    std::vector<char> reached(tokens.size() + 1, 0);
-    reached[0] = 1;
-    for (std::size_t i = 0; i < tokens.size() && is_run(tokens[i]); ++i) reached[i + 1] = 1;
-    for (const char c : text) {
-        std::vector<char> next(tokens.size() + 1, 0);
-        for (std::size_t i = 0; i < tokens.size(); ++i) {
-            if (!accepts(tokens[i], c)) continue;
-            if (is_run(tokens[i]) && (reached[i] || reached[i + 1])) next[i + 1] = 1;
-            if (!is_run(tokens[i]) && reached[i]) next[i + 1] = 1;
-        }
-        for (std::size_t i = 0; i < tokens.size(); ++i)
-            if (next[i] && is_run(tokens[i])) next[i + 1] = 1;
-        reached.swap(next);
-    }
-    return reached[tokens.size()] != 0;
+    return Glob(pattern).matches(text);
 }
 
 std::string glob_fault(std::string_view pattern)
 {
-    const std::vector<Token> tokens = tokens_of(pattern);
-    const bool is_open = std::ranges::any_of(tokens, [](const Token& token) { return token.character == '['; });
-    return is_open ? "a class [ that is never closed" : "";
+    const std::size_t last_close = pattern.rfind(']');
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        if (pattern[i] != '[') continue;
+        const bool may_close = last_close != std::string_view::npos && i < last_close;
+        const std::size_t close = may_close ? end_of_class(pattern, i) : std::string_view::npos;
+        if (close == std::string_view::npos) return "a class [ that is never closed";
+        i = close;
+    }
+    return "";
 }
 
 }  // namespace hw

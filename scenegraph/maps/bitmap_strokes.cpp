@@ -21,6 +21,7 @@ constexpr double kDirectionPixels = 6.0;  // over which a branch's direction at 
 constexpr double kSimplifyPixels = 0.4;
 constexpr int kMostReach = 6;  // pixels around a skeleton's pixel of which the middle is taken
 constexpr int kNoNode = -1;
+constexpr std::size_t kMostEnds = 64;  // at a node; where more meet there is noise, and no branch goes on through it
 
 using Points = std::vector<glm::dvec2>;
 
@@ -234,7 +235,8 @@ class StrokeJoiner {
             for (int side = 0; side < 2; ++side)
                 if (!branches_[i].is_gone && branches_[i].node[side] != kNoNode && branches_[i].points.size() > 1)
                     ends[root_of(branches_[i].node[side])].push_back({i, side});
-        for (const std::vector<BranchEnd>& at_node : ends) pair_straightest(at_node);
+        for (const std::vector<BranchEnd>& at_node : ends)
+            if (at_node.size() <= kMostEnds) pair_straightest(at_node);
     }
     void pair_straightest(const std::vector<BranchEnd>& ends)
     {
@@ -325,8 +327,8 @@ Points smoothed(Points points)
     return points;
 }
 
-/// Douglas and Peucker.
-void simplify(const Points& points, std::size_t first, std::size_t last, Points& result)
+/// Between two points of a line, the one that is farthest from the straight way; `first` where all are near it.
+std::size_t farthest_between(const Points& points, std::size_t first, std::size_t last)
 {
     const glm::dvec2 d = points[last] - points[first];
     const double length = glm::length(d);
@@ -340,12 +342,25 @@ void simplify(const Points& points, std::size_t first, std::size_t last, Points&
             farthest = i;
         }
     }
-    if (farthest != first) {
-        simplify(points, first, farthest, result);
-        simplify(points, farthest, last, result);
-        return;
+    return farthest;
+}
+
+/// Douglas and Peucker.
+Points simplified(const Points& points)
+{
+    Points result{points.front()};
+    std::vector<std::size_t> ends{points.size() - 1};  // of the parts that are not done, the nearest last
+    for (std::size_t first = 0; !ends.empty();) {
+        const std::size_t farthest = farthest_between(points, first, ends.back());
+        if (farthest != first) {
+            ends.push_back(farthest);
+            continue;
+        }
+        first = ends.back();
+        ends.pop_back();
+        if (first > 0) result.push_back(points[first]);
     }
-    result.push_back(points[last]);
+    return result;
 }
 
 double median_width(std::vector<Branch>& strokes)
@@ -373,8 +388,7 @@ std::vector<MapStroke> strokes_of_bitmap(const Pixels& drawing, const BitmapStro
     const double median = median_width(found);
     for (const Branch& stroke : found) {
         const Points points = smoothed(stroke.points);
-        Points simple{points.front()};
-        if (points.size() > 1) simplify(points, 0, points.size() - 1, simple);
+        Points simple = simplified(points);
         for (glm::dvec2& p : simple) p /= size;
         strokes.push_back({.points = std::move(simple), .width = std::clamp(stroke.width / median, 0.25, 8.0)});
     }

@@ -13,20 +13,26 @@ struct DrawnLevel {
     std::size_t stroke_count;
 };
 
-/// Strokes in order until the tone is nearest to `tone`, at most `limit` of them.
-DrawnLevel drawn_to_tone(std::span<const MapStroke> strokes, int width, int height, double pen_texels, double tone)
+/// How many strokes in order bring the tone nearest to `tone`.
+std::size_t count_to_tone(std::span<const MapStroke> strokes, int width, int height, double pen_texels, double tone)
 {
     InkPlane plane(width, height);
+    double ink = 0.0;
     double reached = 0.0;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
-        InkPlane next = plane;
-        draw_stroke(next, strokes[i], pen_texels);
-        const double next_tone = mean_ink(next);
-        if (std::abs(next_tone - tone) > std::abs(reached - tone)) return {std::move(plane), i};
-        plane = std::move(next);
+        ink += draw_stroke(plane, strokes[i], pen_texels);
+        const double next_tone = ink / static_cast<double>(plane.ink.size());
+        if (std::abs(next_tone - tone) > std::abs(reached - tone)) return i;
         reached = next_tone;
     }
-    return {std::move(plane), strokes.size()};
+    return strokes.size();
+}
+
+DrawnLevel drawn_to_tone(std::span<const MapStroke> strokes, int width, int height, double pen_texels, double tone)
+{
+    DrawnLevel level{InkPlane(width, height), count_to_tone(strokes, width, height, pen_texels, tone)};
+    for (const MapStroke& stroke : strokes.first(level.stroke_count)) draw_stroke(level.plane, stroke, pen_texels);
+    return level;
 }
 
 template <typename Reduce>

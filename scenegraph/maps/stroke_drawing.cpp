@@ -11,6 +11,8 @@
 namespace hw {
 namespace {
 
+constexpr std::size_t kMostRankSteps = 400'000'000;  // 20,000 strokes, each against each
+
 int wrapped(int i, int size)
 {
     return ((i % size) + size) % size;
@@ -24,22 +26,45 @@ double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::
     return glm::distance(p, a + t * d);
 }
 
-/// Segment in texels. The pen's edge is a ramp one texel wide, at full ink no higher than the pen is wide.
-void draw_segment(InkPlane& plane, const glm::dvec2& a, const glm::dvec2& b, double width)
+struct Span {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// Where on a row of texels, whose middles lie at `y`, the segment may leave ink.
+Span inked_span(const glm::dvec2& a, const glm::dvec2& b, double y, double reach)
+{
+    const double slope = (b.x - a.x) / (b.y - a.y);
+    const double low = std::min(a.y, b.y);
+    const double high = std::max(a.y, b.y);
+    const double first = a.x + (std::clamp(y - reach, low, high) - a.y) * slope;
+    const double last = a.x + (std::clamp(y + reach, low, high) - a.y) * slope;
+    if (!std::isfinite(slope)) return {std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach};
+    return {std::min(first, last) - reach, std::max(first, last) + reach};
+}
+
+/// Segment in texels. The pen's edge is a ramp one texel wide, at full ink no higher than the pen is wide. Returns the
+/// ink that it added.
+double draw_segment(InkPlane& plane, const glm::dvec2& a, const glm::dvec2& b, double width)
 {
     const double reach = 0.5 * width + 0.5;
-    const int x0 = static_cast<int>(std::floor(std::min(a.x, b.x) - reach));
-    const int x1 = static_cast<int>(std::ceil(std::max(a.x, b.x) + reach));
     const int y0 = static_cast<int>(std::floor(std::min(a.y, b.y) - reach));
     const int y1 = static_cast<int>(std::ceil(std::max(a.y, b.y) + reach));
+    double added = 0.0;
     for (int y = y0; y <= y1; ++y) {
+        const Span span = inked_span(a, b, y + 0.5, reach);
+        const int x0 = static_cast<int>(std::floor(span.from)) - 1;
+        const int x1 = static_cast<int>(std::ceil(span.to));
         for (int x = x0; x <= x1; ++x) {
             const double distance = distance_to_segment(glm::dvec2(x + 0.5, y + 0.5), a, b);
             const float ink = static_cast<float>(std::clamp(reach - distance, 0.0, std::min(width, 1.0)));
             float& texel = plane.at(wrapped(x, plane.width), wrapped(y, plane.height));
-            texel = std::max(texel, ink);
+            if (ink <= texel) continue;
+            added += static_cast<double>(ink) - texel;
+            texel = ink;
         }
     }
+    return added;
 }
 
 double length_of(const MapStroke& stroke)
@@ -59,14 +84,16 @@ double wrapped_distance(const glm::dvec2& a, const glm::dvec2& b)
 
 }  // namespace
 
-void draw_stroke(InkPlane& plane, const MapStroke& stroke, double width_texels)
+double draw_stroke(InkPlane& plane, const MapStroke& stroke, double width_texels)
 {
     HW_ASSERT(!stroke.points.empty());
     const glm::dvec2 size(plane.width, plane.height);
     const double width = width_texels * stroke.width;
     const std::size_t count = stroke.points.size();
+    double added = 0.0;
     for (std::size_t i = 0; i + 1 < std::max<std::size_t>(count, 2); ++i)
-        draw_segment(plane, stroke.points[i] * size, stroke.points[std::min(i + 1, count - 1)] * size, width);
+        added += draw_segment(plane, stroke.points[i] * size, stroke.points[std::min(i + 1, count - 1)] * size, width);
+    return added;
 }
 
 double mean_ink(const InkPlane& plane)
@@ -102,25 +129,26 @@ void rank_evenly(std::span<MapStroke> strokes)
 {
     const std::size_t count = strokes.size();
     std::vector<glm::dvec2> middles;
-    std::vector<double> lengths;
+    std::vector<double> weights;
     for (const MapStroke& stroke : strokes) {
         middles.push_back(stroke.points[stroke.points.size() / 2]);
-        lengths.push_back(length_of(stroke));
+        weights.push_back(std::sqrt(length_of(stroke)));
     }
     std::vector<double> clearance(count, 1.0);  // distance to the nearest ranked stroke
-    std::vector<bool> is_ranked(count, false);
-    for (std::size_t rank = 0; rank < count; ++rank) {
-        std::size_t best = count;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (is_ranked[i]) continue;
-            if (best == count || clearance[i] * std::sqrt(lengths[i]) > clearance[best] * std::sqrt(lengths[best]))
-                best = i;
-        }
-        is_ranked[best] = true;
-        strokes[best].priority = static_cast<double>(rank);
-        for (std::size_t i = 0; i < count; ++i)
-            clearance[i] = std::min(clearance[i], wrapped_distance(middles[i], middles[best]));
+    const auto merit = [&](std::size_t i) { return clearance[i] * weights[i]; };
+    std::vector<std::size_t> unranked(count);
+    std::iota(unranked.begin(), unranked.end(), std::size_t{0});
+    const std::size_t rounds = std::min(count, kMostRankSteps / std::max<std::size_t>(count, 1));
+    std::size_t rank = 0;
+    for (; rank < rounds; ++rank) {
+        const auto best = std::ranges::max_element(unranked, {}, merit);
+        const glm::dvec2 middle = middles[*best];
+        strokes[*best].priority = static_cast<double>(rank);
+        unranked.erase(best);
+        for (const std::size_t i : unranked) clearance[i] = std::min(clearance[i], wrapped_distance(middles[i], middle));
     }
+    std::ranges::stable_sort(unranked, std::ranges::greater(), merit);
+    for (const std::size_t i : unranked) strokes[i].priority = static_cast<double>(rank++);
 }
 
 }  // namespace hw

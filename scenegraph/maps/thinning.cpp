@@ -56,6 +56,58 @@ double brightness(const std::uint8_t* p, int channels)
     return 1.0 - alpha + alpha * value / 255.0;
 }
 
+/// Peels ink off half a layer at a time. Only where pixels went in the last two peelings can new ones go.
+class Peeling {
+ public:
+    explicit Peeling(InkMask& mask) : mask_(mask), seen_(mask.ink.size(), 0)
+    {
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x)
+                if (mask.at(x, y)) near_[0].push_back({x, y});
+        near_[1] = near_[0];
+    }
+
+    /// Whether a pixel went.
+    bool peel(bool is_first_half)
+    {
+        std::vector<Pixel> going;
+        ++round_;
+        for (const std::vector<Pixel>& pixels : near_)
+            for (const Pixel& p : pixels)
+                if (is_new(p) && may_go(mask_, p, is_first_half)) going.push_back(p);
+        for (const Pixel& p : going) mask_.ink[mask_.place(p.x, p.y)] = 0;
+        near_[0] = std::move(near_[1]);
+        near_[1] = around(going);
+        return !going.empty();
+    }
+
+ private:
+    /// Whether it is ink, and met for the first time in this round.
+    bool is_new(const Pixel& p)
+    {
+        int& seen = seen_[mask_.place(p.x, p.y)];
+        const bool result = mask_.at(p.x, p.y) && seen != round_;
+        seen = round_;
+        return result;
+    }
+    std::vector<Pixel> around(const std::vector<Pixel>& going)
+    {
+        std::vector<Pixel> pixels;
+        ++round_;
+        for (const Pixel& p : going)
+            for (const auto& [dx, dy] : kAround) {
+                const Pixel beside{(p.x + dx + mask_.width) % mask_.width, (p.y + dy + mask_.height) % mask_.height};
+                if (is_new(beside)) pixels.push_back(beside);
+            }
+        return pixels;
+    }
+
+    InkMask& mask_;
+    std::vector<int> seen_;  ///< The round in which each pixel was last met.
+    int round_ = 0;
+    std::array<std::vector<Pixel>, 2> near_;  ///< What pixels went from the neighbourhood of: two peelings ago, and in the last.
+};
+
 /// Takes a spot out of `left` and gives its place that lies deepest in the ink, or none where it holds a line.
 void keep_spot(const InkMask& lines, const std::vector<float>& depth, const Pixel& start, InkMask& left, InkMask& kept)
 {
@@ -132,25 +184,14 @@ std::vector<float> distance_to_paper(const InkMask& mask)
 InkMask thinned(const InkMask& mask)
 {
     InkMask result = mask;
-    std::vector<Pixel> left;
+    Peeling peeling(result);
+    while (true) {
+        const bool has_changed = peeling.peel(true);
+        if (!peeling.peel(false) && !has_changed) break;
+    }
     for (int y = 0; y < mask.height; ++y)
         for (int x = 0; x < mask.width; ++x)
-            if (mask.at(x, y)) left.push_back({x, y});
-    std::vector<Pixel> going;
-    const auto peel = [&](bool is_first_half) {
-        going.clear();
-        for (const Pixel& p : left)
-            if (may_go(result, p, is_first_half)) going.push_back(p);
-        for (const Pixel& p : going) result.ink[result.place(p.x, p.y)] = 0;
-        std::erase_if(left, [&](const Pixel& p) { return !result.at(p.x, p.y); });
-        return !going.empty();
-    };
-    while (true) {
-        const bool has_changed = peel(true);
-        if (!peel(false) && !has_changed) break;
-    }
-    for (const Pixel& p : left)
-        if (is_stair_corner(result, p)) result.ink[result.place(p.x, p.y)] = 0;
+            if (result.at(x, y) && is_stair_corner(result, {x, y})) result.ink[result.place(x, y)] = 0;
     keep_spots(mask, result);
     return result;
 }

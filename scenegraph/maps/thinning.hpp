@@ -15,11 +15,16 @@ struct InkMask {
 
     std::size_t place(int x, int y) const
     {
-        const int column = ((x % width) + width) % width;
-        const int row = ((y % height) + height) % height;
-        return static_cast<std::size_t>(row) * width + column;
+        return static_cast<std::size_t>(wrapped(y, height)) * width + wrapped(x, width);
     }
     bool at(int x, int y) const { return ink[place(x, y)] != 0; }
+
+ private:
+    static int wrapped(int i, int size)
+    {
+        const bool is_inside = 0 <= i && i < size;  // nearly always: a division costs more than all else here
+        return is_inside ? i : ((i % size) + size) % size;
+    }
 };
 
 /// The pixels of a drawing darker than `ink_below` (0 black, 1 white); what is transparent is paper.

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,8 +22,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void become_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-                                 int out, int err)
+                                 const ProgramLimits& limits, int out, int err)
 {
+    const auto limit = [](__rlimit_resource resource, std::uint64_t most) {
+        const rlimit both{most, most};
+        if (most != 0) ::setrlimit(resource, &both);
+    };
+    limit(RLIMIT_CPU, limits.cpu_s);
+    limit(RLIMIT_DATA, limits.memory_bytes);
     for (const std::string& setting : environment) {
         const std::size_t sign = setting.find('=');
         if (sign == std::string::npos)
@@ -65,13 +72,13 @@ void read_both(std::array<pollfd, 2> pipes, std::array<std::string*, 2> texts, C
 }  // namespace
 
 ProgramResult run_program(const std::vector<std::string>& arguments, double limit_s,
-                          const std::vector<std::string>& environment)
+                          const std::vector<std::string>& environment, const ProgramLimits& limits)
 {
     std::array<int, 2> out{}, err{};
     if (::pipe2(out.data(), O_CLOEXEC) != 0 || ::pipe2(err.data(), O_CLOEXEC) != 0) return {};
     const auto start = Clock::now();
     const pid_t child = ::fork();
-    if (child == 0) become_program(arguments, environment, out[1], err[1]);
+    if (child == 0) become_program(arguments, environment, limits, out[1], err[1]);
     ::close(out[1]);
     ::close(err[1]);
 

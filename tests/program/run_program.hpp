@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,9 +15,15 @@ struct ProgramResult {
     double seconds = 0.0;
 };
 
+/// What a run may take; 0: as much as it likes.
+struct ProgramLimits {
+    unsigned cpu_s = 0;              ///< Of all its threads together.
+    std::uint64_t memory_bytes = 0;  ///< Private, writable.
+};
+
 /// Runs the built program with these arguments. `environment` are NAME=VALUE settings; "NAME" alone unsets.
 ProgramResult run_program(const std::vector<std::string>& arguments, double limit_s = 60.0,
-                          const std::vector<std::string>& environment = {});
+                          const std::vector<std::string>& environment = {}, const ProgramLimits& limits = {});
 
 /// A folder of its own for one test, removed at its end.
 class TemporaryFolder {

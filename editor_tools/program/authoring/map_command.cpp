@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMapFile = "map.json";
-constexpr std::size_t kMostLevels = 13;  // of 4096 texels
+constexpr std::size_t kMostLevels = 13;                    // of 4096 texels
+constexpr std::uint64_t kMostDrawingPixels = 36'000'000;  // a sheet of A4 at 600 dots an inch
 
 struct MapArguments {
     fs::path folder;
@@ -93,6 +94,10 @@ Drawing read_vector_drawing(const fs::path& file)
 Drawing read_bitmap_drawing(const fs::path& file)
 {
     const Pixels pixels = read_image(file);
+    if (static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height) > kMostDrawingPixels)
+        throw Error({.what = fmt::format("the drawing has {} x {} pixels", pixels.width, pixels.height),
+                     .file = file.string(),
+                     .expected = fmt::format("at most {} in all", kMostDrawingPixels)});
     Drawing drawing{.strokes = strokes_of_bitmap(pixels), .height_share = double(pixels.height) / pixels.width};
     if (drawing.strokes.empty())
         throw Error({.what = "no ink", .file = file.string(), .expected = "dark lines on light paper"});
@@ -113,6 +118,10 @@ MapLevels ink_map_of(MapArguments& arguments)
     if (!drawing.has_priorities) rank_evenly(drawing.strokes);
     arguments.ink.height_texels =
         power_of_two(static_cast<int>(arguments.ink.width_texels * drawing.height_share * 1.4));
+    if (arguments.ink.height_texels > limits::kMaxImageSide)
+        throw Error({.what = fmt::format("the map would be {} texels high", arguments.ink.height_texels),
+                     .file = arguments.drawing.string(),
+                     .expected = fmt::format("at most {}: a smaller --width", limits::kMaxImageSide)});
     const InkMap ink = make_ink_map(drawing.strokes, arguments.ink);
     const MapLevels map = arguments.filter == "minimum"
                               ? filtered_by_minimum(ink.map.levels.front(), arguments.ink.size_m)

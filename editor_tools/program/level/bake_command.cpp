@@ -35,19 +35,20 @@ BakeOptions options_of(const BakeArguments& arguments)
 }
 
 /// Whether a glob names the node or one of its parents.
-bool is_named(const Scene& scene, int node, std::span<const std::string> globs)
+bool is_named(const Scene& scene, int node, std::span<const Glob> globs)
 {
     for (; node != kNone; node = scene.nodes[node].parent)
-        for (const std::string& glob : globs)
-            if (glob_matches(glob, scene.nodes[node].path)) return true;
+        for (const Glob& glob : globs)
+            if (glob.matches(scene.nodes[node].path)) return true;
     return false;
 }
 
 /// The objects that get baked light; empty: all.
-std::vector<ObjectId> receivers_of(const Scene& scene, std::span<const std::string> globs)
+std::vector<ObjectId> receivers_of(const Scene& scene, std::span<const std::string> patterns)
 {
     std::vector<ObjectId> receivers;
-    if (globs.empty()) return receivers;
+    if (patterns.empty()) return receivers;
+    const std::vector<Glob> globs(patterns.begin(), patterns.end());
     for (ObjectId id = 0; id < scene.objects.size(); ++id)
         if (is_named(scene, scene.objects[id].node, globs)) receivers.push_back(id);
     if (receivers.empty())

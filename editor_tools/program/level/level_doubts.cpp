@@ -12,8 +12,10 @@ namespace {
 
 bool names_something(const AssignRule& rule, const Scene& scene)
 {
-    const auto is_node = [&](const Node& node) { return rule.nodes[0] == '#' || glob_matches(rule.nodes, node.path); };
-    const auto is_material = [&](const Material& material) { return glob_matches(rule.materials, material.name); };
+    const Glob nodes(rule.nodes);
+    const Glob materials(rule.materials);
+    const auto is_node = [&](const Node& node) { return rule.nodes[0] == '#' || nodes.matches(node.path); };
+    const auto is_material = [&](const Material& material) { return materials.matches(material.name); };
     return (rule.nodes.empty() || std::any_of(scene.nodes.begin(), scene.nodes.end(), is_node)) &&
            (rule.materials.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), is_material));
 }

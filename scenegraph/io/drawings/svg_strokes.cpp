@@ -23,6 +23,8 @@ constexpr std::uint64_t kMaxBytes = 4ull << 20;
 constexpr std::size_t kMaxStrokes = 100'000;
 constexpr std::size_t kMaxPoints = 200'000;
 constexpr double kMaxLength = 4000.0;  // widths of the drawing: more ink than its paper holds
+constexpr double kFarthest = 1e5;      // widths of the drawing, from its corner
+constexpr double kMostHigh = 256.0;   // widths of the drawing; as wide at most
 constexpr int kCurvePieces = 16;
 
 /// Numbers of a list such as "M 10,20 l-3.5 4": separators are spaces and commas, a sign starts a number.
@@ -96,6 +98,14 @@ double number_of(std::string_view tag, std::string_view name, double otherwise, 
     return text ? NumberText(*text, file).number() : otherwise;
 }
 
+[[noreturn]] void refuse_ink(const std::string& file)
+{
+    throw Error({.what = "the drawing has too much ink",
+                 .file = file,
+                 .expected = fmt::format("at most {} points and strokes {:.0f} times as long as it is wide", kMaxPoints,
+                                         kMaxLength)});
+}
+
 /// Follows the commands of a path's "d" and gives its strokes, one for each move.
 class PathReader {
  public:
@@ -105,7 +115,10 @@ class PathReader {
     {
         char command = 'M';
         while (!text_.is_at_end()) {
-            if (text_.is_at_letter()) command = text_.letter();
+            if (text_.is_at_letter())
+                command = text_.letter();
+            else if (command == 'Z' || command == 'z')
+                throw Error({.what = "a number follows the Z of a path", .file = file_, .expected = "a command"});
             follow(command);
             if (command == 'M') command = 'L';
             if (command == 'm') command = 'l';
@@ -123,6 +136,7 @@ class PathReader {
             case 'M':
                 at_ = start_ = text_.point(origin);
                 strokes_.push_back({at_});
+                count_point();
                 break;
             case 'L':
                 line_to(text_.point(origin));
@@ -169,6 +183,12 @@ class PathReader {
         if (strokes_.empty()) strokes_.push_back({at_});
         strokes_.back().push_back(to);
         at_ = to;
+        count_point();
+    }
+
+    void count_point()
+    {
+        if (++point_count_ > kMaxPoints) refuse_ink(file_);
     }
 
     void curve_to(const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d)
@@ -184,6 +204,7 @@ class PathReader {
     NumberText text_;
     const std::string& file_;
     std::vector<std::vector<glm::dvec2>> strokes_;
+    std::size_t point_count_ = 0;
     glm::dvec2 at_{0.0}, start_{0.0}, handle_{0.0};
 };
 
@@ -216,8 +237,14 @@ Frame frame_of(std::string_view tag, const std::string& file)
     } else {
         frame.size = {number_of(tag, "width", 0.0, file), number_of(tag, "height", 0.0, file)};
     }
-    if (frame.size.x > 0.0 && frame.size.y > 0.0) return frame;
-    throw Error({.what = "the drawing has no size", .file = file, .expected = "a viewBox, or width and height"});
+    if (!(frame.size.x > 0.0 && frame.size.y > 0.0))
+        throw Error({.what = "the drawing has no size", .file = file, .expected = "a viewBox, or width and height"});
+    const double height = frame.size.y / frame.size.x;
+    if (!(height <= kMostHigh && height >= 1.0 / kMostHigh))
+        throw Error({.what = fmt::format("the drawing is {:g} times as high as wide", height),
+                     .file = file,
+                     .expected = fmt::format("from 1/{0:g} to {0:g}", kMostHigh)});
+    return frame;
 }
 
 /// How much was drawn so far. A drawing from a stranger must not be drawn for hours.
@@ -229,11 +256,7 @@ struct DrawnInk {
     {
         points += stroke.size();
         for (std::size_t i = 1; i < stroke.size(); ++i) length += glm::distance(stroke[i - 1], stroke[i]);
-        if (points > kMaxPoints || !(length <= kMaxLength))
-            throw Error({.what = "the drawing has too much ink",
-                         .file = file,
-                         .expected = fmt::format("at most {} points and strokes {:.0f} times as long as it is wide",
-                                                 kMaxPoints, kMaxLength)});
+        if (points > kMaxPoints || !(length <= kMaxLength)) refuse_ink(file);
     }
 };
 
@@ -258,23 +281,37 @@ class PassedOver {
     std::set<std::string> names_;
 };
 
+void require_near(const std::vector<glm::dvec2>& points, const std::string& file)
+{
+    for (const glm::dvec2& point : points)
+        if (!(std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest))
+            throw Error({.what = "a stroke leaves the drawing too far",
+                         .file = file,
+                         .expected = fmt::format("within {:g} times its width", kFarthest)});
+}
+
 void add_strokes(SvgDrawing& drawing, DrawnInk& ink, std::string_view name, std::string_view tag, const Frame& frame,
                  double& pen, const std::string& file)
 {
-    for (std::vector<glm::dvec2>& points : strokes_of(name, tag, file)) {
+    std::vector<std::vector<glm::dvec2>> strokes = strokes_of(name, tag, file);
+    if (strokes.empty()) return;
+    const double width = number_of(tag, "stroke-width", 1.0, file);
+    const bool has_priority = attribute(tag, "data-priority").has_value();
+    const double priority = number_of(tag, "data-priority", 0.0, file);
+    for (std::vector<glm::dvec2>& points : strokes) {
         if (points.empty()) continue;
         if (drawing.strokes.size() == kMaxStrokes)
             throw Error({.what = "the drawing has too many strokes",
                          .file = file,
                          .expected = "at most " + std::to_string(kMaxStrokes)});
         for (glm::dvec2& point : points) point = (point - frame.origin) / frame.size.x;
+        require_near(points, file);
         ink.add(points, file);
-        const double width = number_of(tag, "stroke-width", 1.0, file);
         if (pen <= 0.0) pen = width > 0.0 ? width : 1.0;
         drawing.strokes.push_back({.points = std::move(points),
                                    .width = std::clamp(width / pen, 0.1, 10.0),
-                                   .priority = number_of(tag, "data-priority", 0.0, file),
-                                   .has_priority = attribute(tag, "data-priority").has_value()});
+                                   .priority = priority,
+                                   .has_priority = has_priority});
     }
 }
 

@@ -24,7 +24,8 @@ struct SvgDrawing {
 /// <polygon>, with the attributes stroke-width and data-priority, inside the viewBox (or width and height). Curves
 /// become polylines of at most 1/1000 of the width per piece. Fills, transforms, styles and everything else are passed
 /// over, shapes and transforms with a warning. Throws hw::Error for a file that is no SVG, a number that is none, or no
-/// strokes; limits: 4 MiB, 100,000 strokes, 200,000 points, all strokes together 4,000 times as long as it is wide.
+/// strokes; limits: 4 MiB, 100,000 strokes, 200,000 points, all strokes together 4,000 times as long as it is wide, no
+/// point farther than 100,000 widths, at most 256 times as high as wide or as wide as high.
 SvgDrawing read_svg_strokes(const std::filesystem::path& file);
 SvgDrawing parse_svg_strokes(const std::string& text, const std::string& file);
 

@@ -178,7 +178,8 @@ class EdgeWriter {
     GltfModel model_;
     nlohmann::json json_;
     std::string binary_;
-    ImportTotals totals_;
+    Budget budget_;
+    ImportTotals totals_{budget_};
     EdgeExport counts_;
 };
 

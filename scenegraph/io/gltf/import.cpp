@@ -49,8 +49,8 @@ Box box_of(const MeshData& mesh)
 /// Turns nodes x primitives into objects, and moves what they use into the scene.
 class ObjectBuilder {
  public:
-    ObjectBuilder(GltfModel& model, std::vector<ReadyMesh> meshes, Scene& scene)
-        : model_(model), meshes_(std::move(meshes)), materials_(model, scene), scene_(scene)
+    ObjectBuilder(GltfModel& model, std::vector<ReadyMesh> meshes, Budget& budget, Scene& scene)
+        : model_(model), meshes_(std::move(meshes)), materials_(model, scene), budget_(budget), scene_(scene)
     {
     }
 
@@ -58,11 +58,12 @@ class ObjectBuilder {
     {
         const int mesh = model_.data.nodes[model_node].mesh;
         if (mesh < 0) return;
+        const std::string pointer = pointer_to("/nodes", static_cast<std::size_t>(model_node));
         for (ReadyPrimitive& primitive : meshes_[mesh]) {
-            if (scene_.objects.size() >= limits::kMaxObjects)
-                model_.refuse(pointer_to("/nodes", static_cast<std::size_t>(model_node)),
-                              "the scene has too many objects", fmt::format("at most {}", limits::kMaxObjects));
             use(primitive);
+            budget_.spend(Cost::objects, 1, model_.file, pointer);
+            budget_.spend(Cost::drawn_triangles, scene_.meshes[primitive.scene_mesh].triangle_count(), model_.file,
+                          pointer);
             Object object{
                 .node = static_cast<int>(node),
                 .mesh = primitive.scene_mesh,
@@ -100,19 +101,22 @@ class ObjectBuilder {
     GltfModel& model_;
     std::vector<ReadyMesh> meshes_;
     MaterialImporter materials_;
+    Budget& budget_;
     Scene& scene_;
     std::vector<Box> boxes_;  ///< Of Scene::meshes, object space.
 };
 
 /// Appends a child node for each instance of a node that EXT_mesh_gpu_instancing repeats. Children stand at the end of
 /// the list, so that the other nodes keep their indices.
-void add_instances(const GltfModel& model, const NodeOrder& order, Scene& scene, ObjectBuilder& objects)
+void add_instances(const GltfModel& model, const NodeOrder& order, Budget& budget, Scene& scene, ObjectBuilder& objects)
 {
     for (std::size_t i = 0; i < order.model_nodes.size(); ++i) {
         const std::vector<glm::dmat4> transforms = instance_transforms(model, order.model_nodes[i]);
-        if (scene.nodes.size() + transforms.size() > limits::kMaxNodes)
-            model.refuse(pointer_to("/nodes", static_cast<std::size_t>(order.model_nodes[i])),
-                         "the scene has too many nodes", fmt::format("at most {}", limits::kMaxNodes));
+        const std::string pointer = pointer_to("/nodes", static_cast<std::size_t>(order.model_nodes[i]));
+        constexpr std::size_t kNameBytes = 16;
+        budget.spend(Cost::nodes, transforms.size(), model.file, pointer);
+        budget.spend(Cost::path_bytes, transforms.size() * (scene.nodes[i].path.size() + kNameBytes), model.file,
+                     pointer);
         for (std::size_t k = 0; k < transforms.size(); ++k) {
             Node node;
             node.parent = static_cast<int>(i);
@@ -152,14 +156,15 @@ Scene import_gltf(const std::filesystem::path& file, const std::filesystem::path
     GltfModel model = load_gltf(file, project_root);
     Scene scene;
     scene.file = model.file;
-    ImportTotals totals;
-    ObjectBuilder objects(model, convert_meshes(model, totals), scene);
+    Budget budget;
+    ImportTotals totals{budget};
+    ObjectBuilder objects(model, convert_meshes(model, totals), budget, scene);
 
     const NodeOrder order = order_nodes(model);
-    add_nodes(model, order, scene);
+    add_nodes(model, order, budget, scene);
     for (std::size_t i = 0; i < order.model_nodes.size(); ++i)
         if (!is_instanced(model, order.model_nodes[i])) objects.add_objects(i, order.model_nodes[i]);
-    add_instances(model, order, scene, objects);
+    add_instances(model, order, budget, scene, objects);
     add_lights(model, order, scene);
     add_cameras(model, order, scene);
     report_losses(model, totals);

@@ -136,7 +136,11 @@ int MaterialImporter::import_image(std::size_t index)
     if (!is_new) return entry->second;
     std::vector<std::byte> storage;
     const std::span<const std::byte> encoded = encoded_image(index, storage);
-    const std::uint64_t left = limits::kMaxTotalImagePixels - pixels_;
+    // A picture of one colour packs a thousand pixels into a byte: what a small file may unpack to is bounded, too.
+    encoded_bytes_ += encoded.size();
+    const std::uint64_t most =
+        std::min(limits::kMaxTotalImagePixels, limits::kFreeImagePixels + limits::kMaxPixelsOfByte * encoded_bytes_);
+    const std::uint64_t left = most - std::min(most, pixels_);
     const std::string name = model_.file + ": " + pointer_to("/images", index);
     scene_.images.push_back(decode_image(encoded, name, std::min(left, limits::kMaxImagePixels)));
     pixels_ += static_cast<std::uint64_t>(scene_.images.back().width) * scene_.images.back().height;

@@ -27,6 +27,7 @@ class MaterialImporter {
     std::map<int, int> materials_;
     std::map<std::size_t, int> textures_;
     std::map<std::size_t, int> images_;
+    std::uint64_t encoded_bytes_ = 0;  ///< Of all images so far.
     std::uint64_t pixels_ = 0;
 };
 

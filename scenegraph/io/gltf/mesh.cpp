@@ -39,32 +39,25 @@ class PrimitiveReader {
     const std::string& pointer() const { return pointer_; }
 
     /// Three vertices of the model for each triangle.
-    std::vector<std::uint32_t> corners(std::uint64_t max_triangles) const
+    std::vector<std::uint32_t> corners(const Budget& budget) const
     {
         const std::size_t vertex_count = model_.data.accessors[find("POSITION")].count;
-        const std::vector<std::uint32_t> order = vertex_order(vertex_count, max_triangles);
+        const std::vector<std::uint32_t> order = vertex_order(vertex_count, budget);
         const bool is_list = primitive_.mode == TINYGLTF_MODE_TRIANGLES;
         const std::size_t triangle_count = is_list ? order.size() / 3 : order.size() < 3 ? 0 : order.size() - 2;
-        check_limit(triangle_count, max_triangles, "triangles");
+        budget.require(Cost::triangles, triangle_count, model_.file, pointer_);
         std::vector<std::uint32_t> corners;
         corners.reserve(3 * triangle_count);
         for (std::size_t i = 0; i < triangle_count; ++i) append_triangle(order, i, corners);
         return corners;
     }
 
-    void check_limit(std::uint64_t count, std::uint64_t left, const char* what) const
-    {
-        if (count > left)
-            model_.refuse(pointer_, fmt::format("the primitive has {} {}", count, what),
-                          fmt::format("at most {} more in this scene", left));
-    }
-
  private:
-    std::vector<std::uint32_t> vertex_order(std::size_t vertex_count, std::uint64_t max_triangles) const
+    std::vector<std::uint32_t> vertex_order(std::size_t vertex_count, const Budget& budget) const
     {
         const bool is_indexed = primitive_.indices >= 0;
         const std::size_t count = is_indexed ? model_.data.accessors[primitive_.indices].count : vertex_count;
-        check_limit(count / 3, max_triangles, "triangles");
+        budget.require(Cost::triangles, count / 3, model_.file, pointer_);
         std::vector<std::uint32_t> order(count);
         if (!is_indexed) {
             for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
@@ -225,16 +218,14 @@ std::optional<MeshData> convert_primitive(const GltfModel& model, const Primitiv
     if (source.has_targets()) ++totals.bent_primitives;
 
     MeshData mesh;
-    mesh.indices = source.corners(limits::kMaxTriangles - totals.triangles);
+    mesh.indices = source.corners(totals.budget);
     if (mesh.indices.empty()) return {};
     const std::vector<std::uint32_t> used = drop_unused_vertices(mesh.indices);
     const bool is_unshared = source.find("NORMAL") == kNone;
-    source.check_limit(is_unshared ? mesh.indices.size() : used.size(), limits::kMaxVertices - totals.vertices,
-                       "vertices");
+    totals.budget.spend(Cost::triangles, mesh.triangle_count(), model.file, source.pointer());
+    totals.budget.spend(Cost::vertices, is_unshared ? mesh.indices.size() : used.size(), model.file, source.pointer());
     read_streams(model, source, used, mesh);
     if (is_unshared) add_flat_normals(mesh);
-    totals.triangles += mesh.triangle_count();
-    totals.vertices += mesh.positions.size();
     return mesh;
 }
 

@@ -4,16 +4,16 @@
 #include <optional>
 #include <string>
 
+#include "hatchway/core/budget.hpp"
 #include "hatchway/geometry/mesh_data.hpp"
 #include "hatchway/io/gltf/model.hpp"
 #include "hatchway/world/scene.hpp"
 
 namespace hw {
 
-/// What an import has stored and skipped so far, and may still store. Private to io.
+/// What an import may still store, and what it skipped so far. Private to io.
 struct ImportTotals {
-    std::uint64_t triangles = 0;
-    std::uint64_t vertices = 0;
+    Budget& budget;
     std::uint64_t skipped_primitives = 0;  ///< Lines and points.
     std::uint64_t bent_primitives = 0;     ///< With morph targets, shown in their base shape.
 };

@@ -146,8 +146,9 @@ NodeOrder order_nodes(const GltfModel& model)
     return order;
 }
 
-void add_nodes(const GltfModel& model, const NodeOrder& order, Scene& scene)
+void add_nodes(const GltfModel& model, const NodeOrder& order, Budget& budget, Scene& scene)
 {
+    budget.spend(Cost::nodes, order.model_nodes.size(), model.file, "/nodes");
     const std::vector<bool> is_moved = moved_nodes(model);
     for (std::size_t i = 0; i < order.model_nodes.size(); ++i) {
         const auto source = static_cast<std::size_t>(order.model_nodes[i]);
@@ -155,6 +156,7 @@ void add_nodes(const GltfModel& model, const NodeOrder& order, Scene& scene)
         Node node;
         node.name = model.data.nodes[source].name;
         node.path = (parent ? parent->path + '/' : "") + (node.name.empty() ? '#' + std::to_string(i) : node.name);
+        budget.spend(Cost::path_bytes, node.path.size(), model.file, pointer_to("/nodes", source));
         node.parent = order.parents[i];
         node.local = local_transform(model.data.nodes[source]);
         node.world_from_node = parent ? parent->world_from_node * node.local : node.local;

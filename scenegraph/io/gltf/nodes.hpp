@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "hatchway/core/budget.hpp"
 #include "hatchway/io/gltf/model.hpp"
 #include "hatchway/world/scene.hpp"
 
@@ -15,8 +16,8 @@ struct NodeOrder {
 NodeOrder order_nodes(const GltfModel& model);
 
 /// Fills Scene::nodes in this order: names, paths, transforms, extras, animation flags. Throws hw::Error when a world
-/// transform is not finite.
-void add_nodes(const GltfModel& model, const NodeOrder& order, Scene& scene);
+/// transform is not finite, or nodes or the text of their paths are over the budget.
+void add_nodes(const GltfModel& model, const NodeOrder& order, Budget& budget, Scene& scene);
 
 /// EXT_mesh_gpu_instancing: the transforms of a node's instances, node from instance; empty when it has none. Throws
 /// hw::Error for attributes of wrong types or unequal counts.

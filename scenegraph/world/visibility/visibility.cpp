@@ -71,13 +71,14 @@ double average_visible_share(const Scene& scene, std::span<const MeshChunks> chu
 }
 
 /// Cells of even size, about as many as there may be; of a flat scene they are flat. A scene without extent has one.
-double longest_cell_m(const Scene& scene, const VisibilityOptions& options)
+double longest_cell_m(const Scene& scene, const Grid& grid, const VisibilityOptions& options)
 {
     constexpr double kLeastSideShare = 1.0 / 64.0;
+    constexpr double kLeastSteps = 128.0;  // of the tree's box
     const glm::dvec3 size = scene.bounds_world.is_empty() ? glm::dvec3(0.0) : scene.bounds_world.size();
     const double longest = std::max({size.x, size.y, size.z});
     if (!(longest > 0.0)) return std::numeric_limits<double>::infinity();
-    const glm::dvec3 sides = glm::max(size, glm::dvec3(kLeastSideShare * longest));
+    const glm::dvec3 sides = glm::max(size, glm::dvec3(std::max(kLeastSideShare * longest, kLeastSteps * grid.step_m)));
     return kPartFactor * std::cbrt(sides.x * sides.y * sides.z / options.max_cells);
 }
 
@@ -137,8 +138,16 @@ BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOpti
     stats.structure_polygons = structure.structure_count;
     stats.detail_polygons = static_cast<int>(structure.polygons.size()) - structure.structure_count;
     note_demoted(structure, options, scene.bounds_world, stats);
-    return build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons), structure.box_min,
-                     structure.box_max, longest_cell_m(scene, options));
+    const std::size_t polygon_count = structure.polygons.size();
+    BspBuild build =
+        build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons), structure.box_min,
+                  structure.box_max, longest_cell_m(scene, structure.grid, options));
+    if (build.left_out > 0)
+        stats.shortfalls.push_back(
+            {fmt::format("{} of {} polygons block no sight: their planes part space into more cells than there is room for",
+                         build.left_out, polygon_count),
+             scene.bounds_world});
+    return build;
 }
 
 /// The union of the rows (of clusters or of slots) that an eye needs; empty where it sees everything.

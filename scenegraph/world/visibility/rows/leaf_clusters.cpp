@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <queue>
+#include <set>
 
 #include "hatchway/world/visibility/rows/opening_hulls.hpp"
 
@@ -30,7 +31,10 @@ class Merger {
  public:
     /// `group_of_leaf`: clusters of different groups are never merged; empty: all may be.
     Merger(const BspTree& tree, std::span<const LeafContact> contacts, std::span<const int> group_of_leaf)
-        : owner_(static_cast<std::size_t>(tree.cluster_count)), boxes_(owner_.size()), borders_(owner_.size())
+        : owner_(static_cast<std::size_t>(tree.cluster_count)),
+          boxes_(owner_.size()),
+          borders_(owner_.size()),
+          lower_(owner_.size())
     {
         std::iota(owner_.begin(), owner_.end(), 0);
         const auto group = [&](int leaf) {
@@ -60,8 +64,11 @@ class Merger {
 
     int owner_of(int cluster)
     {
-        while (owner_[static_cast<std::size_t>(cluster)] != cluster)
-            cluster = owner_[static_cast<std::size_t>(cluster)];
+        while (owner_[static_cast<std::size_t>(cluster)] != cluster) {
+            int& up = owner_[static_cast<std::size_t>(cluster)];
+            up = owner_[static_cast<std::size_t>(up)];
+            cluster = up;
+        }
         return cluster;
     }
 
@@ -92,9 +99,22 @@ class Merger {
             }
         }
         if (a == b) return;
-        Border& border = borders_[static_cast<std::size_t>(std::min(a, b))][std::max(a, b)];
+        Border& border = border_of(a, b);
         border.open_m2 += 0.5 * (total_area(contact.forward) + total_area(contact.backward));
         border.whole_m2 += contact.area_m2;
+    }
+
+    /// Of two neighbours; they become so.
+    Border& border_of(int a, int b)
+    {
+        lower_[static_cast<std::size_t>(std::max(a, b))].insert(std::min(a, b));
+        return borders_[static_cast<std::size_t>(std::min(a, b))][std::max(a, b)];
+    }
+
+    Border take_border(int a, int b)
+    {
+        lower_[static_cast<std::size_t>(std::max(a, b))].erase(std::min(a, b));
+        return borders_[static_cast<std::size_t>(std::min(a, b))].extract(std::max(a, b)).mapped();
     }
 
     double size_of(int a, int b) const
@@ -118,9 +138,8 @@ class Merger {
     {
         std::vector<int> result;
         for (const auto& [other, border] : borders_[static_cast<std::size_t>(cluster)]) result.push_back(other);
-        for (int other = 0; other < cluster; ++other) {
-            if (borders_[static_cast<std::size_t>(other)].count(cluster)) result.push_back(other);
-        }
+        const std::set<int>& lower = lower_[static_cast<std::size_t>(cluster)];
+        result.insert(result.end(), lower.begin(), lower.end());
         return result;
     }
 
@@ -131,21 +150,26 @@ class Merger {
                               ? glm::dvec3(0.0)
                               : boxes_[static_cast<std::size_t>(b)].centre());
         owner_[static_cast<std::size_t>(b)] = a;
+        const Box before = boxes_[static_cast<std::size_t>(a)];
         boxes_[static_cast<std::size_t>(a)].add(boxes_[static_cast<std::size_t>(b)]);
+        std::vector<int> changed;
         for (const int other : neighbours_of(b)) {
-            const Border old =
-                borders_[static_cast<std::size_t>(std::min(b, other))].extract(std::max(b, other)).mapped();
+            const Border old = take_border(b, other);
             if (other == a) continue;
-            Border& border = borders_[static_cast<std::size_t>(std::min(a, other))][std::max(a, other)];
+            Border& border = border_of(a, other);
             border.open_m2 += old.open_m2;
             border.whole_m2 += old.whole_m2;
+            changed.push_back(other);
         }
-        for (const int other : neighbours_of(a)) offer(a, other, options);
+        const Box& after = boxes_[static_cast<std::size_t>(a)];
+        const bool is_larger = before.min != after.min || before.max != after.max;
+        for (const int other : is_larger ? neighbours_of(a) : changed) offer(a, other, options);
     }
 
     std::vector<int> owner_;
     std::vector<Box> boxes_;
     std::vector<std::map<int, Border>> borders_;  ///< By the lower number, then by the higher.
+    std::vector<std::set<int>> lower_;            ///< The neighbours of lower numbers.
     std::priority_queue<Candidate> queue_;
     std::vector<glm::dvec3> places_;  ///< Of the merges.
 };

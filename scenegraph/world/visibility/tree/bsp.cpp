@@ -115,10 +115,17 @@ Parts split(const PlaneSet& planes, std::vector<BlockingPolygon> polygons, int p
 class TreeBuilder {
  public:
     /// Parts of two grid steps can be halved no further.
-    TreeBuilder(BspBuild& build, double most_part) : build_(build), most_part_(std::max(most_part, 2.0)) {}
+    TreeBuilder(BspBuild& build, double most_part, const BspLimits& limits)
+        : build_(build), limits_(limits), most_part_(std::max(most_part, 2.0))
+    {
+    }
+
+    /// Whether the limits have run out: then what was built is no tree.
+    bool has_given_up() const { return build_.tree.leaf_count > limits_.most_leaves || steps_ > limits_.most_steps; }
 
     int build_structure(std::vector<BlockingPolygon> polygons, const ConvexCell& cell, int depth)
     {
+        if (has_given_up()) return ~0;
         const bool has_structure = std::any_of(polygons.begin(), polygons.end(),
                                                [](const BlockingPolygon& polygon) { return !polygon.is_detail; });
         if (!has_structure) {
@@ -127,7 +134,7 @@ class TreeBuilder {
         }
         const int plane = best_splitter(build_.planes, polygons, false);
         const FlowPlane rounded{build_.planes[plane].unit_normal, build_.planes[plane].unit_offset};
-        Parts parts = split(build_.planes, std::move(polygons), plane);
+        Parts parts = split(std::move(polygons), plane);
         const std::size_t index = add_node(plane, std::move(parts.on), depth);
         const int front = build_structure(std::move(parts.front), cell.in_front_of(rounded), depth + 1);
         build_.tree.nodes[index].front = front;
@@ -141,6 +148,7 @@ class TreeBuilder {
     /// Halves the cell across its longest side while that is too long.
     int build_part(std::vector<BlockingPolygon> polygons, const ConvexCell& cell, int cluster, int depth)
     {
+        if (has_given_up()) return ~0;
         const Box bounds = cell.bounds();
         const glm::dvec3 size = cell.is_empty() ? glm::dvec3(0.0) : bounds.size();
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -150,7 +158,7 @@ class TreeBuilder {
         normal[static_cast<std::size_t>(axis)] = 1;
         const int plane = build_.planes.add(make_plane(normal, -static_cast<Int128>(place))).plane;
         const FlowPlane rounded{build_.planes[plane].unit_normal, build_.planes[plane].unit_offset};
-        Parts parts = split(build_.planes, std::move(polygons), plane);
+        Parts parts = split(std::move(polygons), plane);
         const std::size_t index = add_node(plane, std::move(parts.on), depth);
         const int front = build_part(std::move(parts.front), cell.in_front_of(rounded), cluster, depth + 1);
         build_.tree.nodes[index].front = front;
@@ -162,6 +170,7 @@ class TreeBuilder {
 
     int build_details(std::vector<BlockingPolygon> polygons, int cluster, int part, int depth)
     {
+        if (has_given_up()) return ~0;
         if (polygons.empty()) {
             build_.depth = std::max(build_.depth, depth);
             build_.tree.cluster_of_leaf.push_back(cluster);
@@ -169,13 +178,19 @@ class TreeBuilder {
             return ~(build_.tree.leaf_count++);
         }
         const int plane = best_splitter(build_.planes, polygons, true);
-        Parts parts = split(build_.planes, std::move(polygons), plane);
+        Parts parts = split(std::move(polygons), plane);
         const std::size_t index = add_node(plane, std::move(parts.on), depth);
         const int front = build_details(std::move(parts.front), cluster, part, depth + 1);
         build_.tree.nodes[index].front = front;
         const int back = build_details(std::move(parts.back), cluster, part, depth + 1);
         build_.tree.nodes[index].back = back;
         return static_cast<int>(index);
+    }
+
+    Parts split(std::vector<BlockingPolygon> polygons, int plane)
+    {
+        steps_ += polygons.size();
+        return hw::split(build_.planes, std::move(polygons), plane);
     }
 
     std::size_t add_node(int plane, std::vector<BlockingPolygon> on, int depth)
@@ -189,9 +204,33 @@ class TreeBuilder {
     }
 
     BspBuild& build_;
+    BspLimits limits_;
+    std::size_t steps_ = 0;
     double most_part_;  ///< Grid steps.
     int part_count_ = 0;
 };
+
+Box box_of(const std::array<std::int64_t, 3>& min, const std::array<std::int64_t, 3>& max)
+{
+    return {glm::dvec3(static_cast<double>(min[0]), static_cast<double>(min[1]), static_cast<double>(min[2])),
+            glm::dvec3(static_cast<double>(max[0]), static_cast<double>(max[1]), static_cast<double>(max[2]))};
+}
+
+BspBuild empty_build(const Grid& grid, const PlaneSet& planes, const std::array<std::int64_t, 3>& box_min,
+                     const std::array<std::int64_t, 3>& box_max)
+{
+    BspBuild build;
+    build.tree.grid = grid;
+    build.planes = planes;
+    build.box_min = box_min;
+    build.box_max = box_max;
+    const Box box_grid = box_of(box_min, box_max);
+    build.tree.bounds_world = {grid.origin_world + box_grid.min * grid.step_m,
+                               grid.origin_world + box_grid.max * grid.step_m};
+    build.tree.leaf_count = 0;
+    build.tree.cluster_count = 0;
+    return build;
+}
 
 bool is_inside(const Box& box, const glm::dvec3& p)
 {
@@ -277,26 +316,19 @@ void collect_leaves(const BspTree& tree, int child, const Corners& polygon, cons
 
 BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygon> polygons,
                    const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max,
-                   double most_part_m)
+                   double most_part_m, const BspLimits& limits)
 {
-    BspBuild build;
-    build.tree.grid = grid;
-    build.planes = std::move(planes);
-    build.box_min = box_min;
-    build.box_max = box_max;
-    Box box_grid;
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t i = static_cast<std::size_t>(axis);
-        box_grid.min[axis] = static_cast<double>(box_min[i]);
-        box_grid.max[axis] = static_cast<double>(box_max[i]);
-        build.tree.bounds_world.min[axis] = grid.origin_world[axis] + static_cast<double>(box_min[i]) * grid.step_m;
-        build.tree.bounds_world.max[axis] = grid.origin_world[axis] + static_cast<double>(box_max[i]) * grid.step_m;
+    const std::size_t polygon_count = polygons.size();
+    while (true) {
+        BspBuild build = empty_build(grid, planes, box_min, box_max);
+        TreeBuilder builder(build, most_part_m / grid.step_m, limits);
+        const bool is_last = polygons.empty();
+        builder.build_structure(polygons, ConvexCell(box_of(box_min, box_max)), 0);
+        build.left_out = polygon_count - polygons.size();
+        build.tree.is_solid.assign(static_cast<std::size_t>(build.tree.leaf_count), 0);
+        if (is_last || !builder.has_given_up()) return build;
+        polygons.resize(polygons.size() / 3);
     }
-    build.tree.leaf_count = 0;
-    build.tree.cluster_count = 0;
-    TreeBuilder(build, most_part_m / grid.step_m).build_structure(std::move(polygons), ConvexCell(box_grid), 0);
-    build.tree.is_solid.assign(static_cast<std::size_t>(build.tree.leaf_count), 0);
-    return build;
 }
 
 int leaf_at(const BspTree& tree, const glm::dvec3& point_world)

@@ -52,15 +52,23 @@ struct BspBuild {
     std::array<std::int64_t, 3> box_max{};
     int depth = 0;
     int piece_count = 0;
+    std::size_t left_out = 0;  ///< Of the polygons, the last: for want of room they neither split nor block.
+};
+
+/// How far a tree may grow: planes that all cross each other part space into cells by the third power of their number.
+struct BspLimits {
+    int most_leaves = 150'000;
+    std::size_t most_steps = 30'000'000;  ///< Polygons at nodes.
 };
 
 /// Splits space by the planes of `polygons`, which lie within the box; every decision is exact, so no piece is lost,
 /// doubled or misplaced. The splitter is the plane of least measured cost (pieces cut, balance, area that it takes
 /// along) among a fixed number of candidates: the largest polygons of the node and an even sample of the rest.
-/// Clusters longer than `most_part_m` are halved into parts by planes across the axes, before details split them.
+/// Clusters longer than `most_part_m` are halved into parts by planes across the axes, before details split them. Where the
+/// limits run out the first third of the polygons is tried alone, then a ninth and so on.
 BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygon> polygons,
                    const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max,
-                   double most_part_m = std::numeric_limits<double>::infinity());
+                   double most_part_m = std::numeric_limits<double>::infinity(), const BspLimits& limits = {});
 
 /// The leaf of a point, by exact signs; -1 outside of the box.
 int leaf_at(const BspTree& tree, const glm::dvec3& point_world);

@@ -13,6 +13,8 @@
 namespace hw {
 namespace {
 
+constexpr double kLeastSteps = 8192.0;    // that a scene is long
+constexpr double kLeastReach = 1e-30;     // metres
 constexpr double kSureDistance = 1.0 / 262144.0;  // 2^-18 of a grid step
 
 using Normal = std::array<std::int64_t, 3>;
@@ -76,7 +78,8 @@ Grid grid_for(const Box& bounds_world)
     Grid grid;
     if (bounds_world.is_empty()) return grid;
     const glm::dvec3 size = bounds_world.size();
-    const double reach = std::max({size.x, size.y, size.z, 1e-3});
+    const double reach = std::max({size.x, size.y, size.z, kLeastReach});
+    while (reach < grid.step_m * kLeastSteps) grid.step_m /= 2.0;
     // A quarter of the range: the tree's box is larger than the scene.
     while (reach > grid.step_m * static_cast<double>(kMaxGridCoordinate) / 4.0) grid.step_m *= 2.0;
     const glm::dvec3 centre = bounds_world.centre();

@@ -16,15 +16,19 @@ using Int128 = __int128;
 /// A cubic grid of points: world = origin + step * grid point. The step is a power of two, so that grid coordinates of
 /// a world position below are exact up to the subtraction of the origin.
 struct Grid {
+    static constexpr double kUsualStep_m = 1.0 / 131072.0;
     glm::dvec3 origin_world{0.0};
-    double step_m = 1.0 / 131072.0;
+    double step_m = kUsualStep_m;
+
+    /// A tolerance that is meant for scenes of metres; in scenes so small that their grid is finer, it shrinks with it.
+    double scaled(double tolerance_m) const { return step_m < kUsualStep_m ? tolerance_m * (step_m / kUsualStep_m) : tolerance_m; }
 };
 
 /// Grid coordinates never leave [-kMaxGridCoordinate, kMaxGridCoordinate]: the width of every product follows from it.
 inline constexpr std::int64_t kMaxGridCoordinate = std::int64_t{1} << 26;
 
-/// The grid for `bounds_world`: centred, 2^-17 m (7.6e-6 m) fine, coarser only where the scene is larger than a
-/// kilometre.
+/// The grid for `bounds_world`: centred, 2^-17 m (7.6e-6 m) fine; coarser where the scene is larger than a quarter of a
+/// kilometre, finer where it is smaller than 6 cm: a scene's size alone changes no decision.
 Grid grid_for(const Box& bounds_world);
 
 /// The nearest grid point.

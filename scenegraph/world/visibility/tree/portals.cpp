@@ -13,6 +13,9 @@
 namespace hw {
 namespace {
 
+constexpr std::size_t kMostPieces = 2000;       // of one contact, that covers cut it into
+constexpr std::size_t kMostSteps = 20'000'000;  // covers x pieces, of all contacts
+
 using Pieces = std::vector<PlanePolygon>;
 using Opening = std::vector<glm::dvec3>;
 
@@ -65,12 +68,15 @@ void subtract(const PlaneSet& planes, PlanePolygon piece, const PlanePolygon& co
     }
 }
 
+/// Where the steps run out, what is left of the covers covers nothing: more is open, never less.
 Pieces uncovered(const BspBuild& build, const PlanePolygon& contact, const std::vector<BlockingPolygon>& covers,
-                 bool from_front)
+                 bool from_front, std::size_t& steps_left)
 {
     Pieces pieces{contact};
     for (const BlockingPolygon& cover : covers) {
         if (!(from_front ? cover.blocks_from_front : cover.blocks_from_back)) continue;
+        if (pieces.size() > kMostPieces || steps_left < pieces.size()) break;
+        steps_left -= pieces.size();
         Pieces left;
         for (PlanePolygon& piece : pieces) subtract(build.planes, std::move(piece), cover.polygon, left);
         pieces = std::move(left);
@@ -101,13 +107,14 @@ double width_of(const Opening& winding, const glm::dvec3& normal)
 }
 
 /// The pieces as windings in metres; cracks are left out.
-std::vector<Opening> openings(const Pieces& pieces, const ExactPlane& plane, double step_m)
+std::vector<Opening> openings(const Pieces& pieces, const ExactPlane& plane, const Grid& grid)
 {
+    const double crack_width = grid.scaled(kCrackWidth);
     std::vector<Opening> result;
     for (const PlanePolygon& piece : pieces) {
         Opening winding;
-        for (const glm::dvec3& corner : piece.corners) winding.push_back(corner * step_m);
-        if (width_of(winding, plane.unit_normal) >= kCrackWidth) result.push_back(std::move(winding));
+        for (const glm::dvec3& corner : piece.corners) winding.push_back(corner * grid.step_m);
+        if (width_of(winding, plane.unit_normal) >= crack_width) result.push_back(std::move(winding));
     }
     return result;
 }
@@ -170,21 +177,21 @@ double total_area(const Pieces& pieces)
 }
 
 LeafContact make_contact(const BspBuild& build, std::size_t node, const PlanePolygon& polygon, int front_leaf,
-                         int back_leaf, Surroundings& surroundings)
+                         int back_leaf, Surroundings& surroundings, std::size_t& steps_left)
 {
     const ExactPlane& plane = build.tree.nodes[node].plane;
     const double step_m = build.tree.grid.step_m;
     const std::vector<BlockingPolygon>& covers = build.polygons_of_node[node];
-    const Pieces backward = uncovered(build, polygon, covers, true);
-    const Pieces forward = uncovered(build, polygon, covers, false);
+    const Pieces backward = uncovered(build, polygon, covers, true, steps_left);
+    const Pieces forward = uncovered(build, polygon, covers, false, steps_left);
     const double whole = area(polygon);
     LeafContact contact{node,
                         front_leaf,
                         back_leaf,
                         whole * step_m * step_m,
                         {},
-                        openings(backward, plane, step_m),
-                        openings(forward, plane, step_m)};
+                        openings(backward, plane, build.tree.grid),
+                        openings(forward, plane, build.tree.grid)};
     for (const glm::dvec3& corner : polygon.corners) contact.bounds.add(corner * step_m);
     if (!contact.backward.empty() && !contact.forward.empty()) surroundings.join(front_leaf, back_leaf);
 
@@ -196,7 +203,7 @@ LeafContact make_contact(const BspBuild& build, std::size_t node, const PlanePol
 }
 
 void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Surroundings& surroundings,
-              std::vector<LeafContact>& contacts)
+              std::size_t& steps_left, std::vector<LeafContact>& contacts)
 {
     if (child < 0) return;
     const std::size_t index = static_cast<std::size_t>(child);
@@ -209,13 +216,13 @@ void add_node(BspBuild& build, int child, std::vector<SidePlane>& ancestors, Sur
     const BspNode node = build.tree.nodes[index];
     push_down(build, node.front, std::move(polygon), [&](PlanePolygon in_front, int front_leaf) {
         push_down(build, node.back, std::move(in_front), [&](PlanePolygon piece, int back_leaf) {
-            contacts.push_back(make_contact(build, index, piece, front_leaf, back_leaf, surroundings));
+            contacts.push_back(make_contact(build, index, piece, front_leaf, back_leaf, surroundings, steps_left));
         });
     });
     ancestors.push_back({plane, false});
-    add_node(build, node.front, ancestors, surroundings, contacts);
+    add_node(build, node.front, ancestors, surroundings, steps_left, contacts);
     ancestors.back().is_flipped = true;
-    add_node(build, node.back, ancestors, surroundings, contacts);
+    add_node(build, node.back, ancestors, surroundings, steps_left, contacts);
     ancestors.pop_back();
 }
 
@@ -251,7 +258,8 @@ std::vector<LeafContact> leaf_contacts(BspBuild& build)
     std::vector<SidePlane> ancestors;
     std::vector<LeafContact> contacts;
     Surroundings surroundings(build.tree.leaf_count);
-    if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, surroundings, contacts);
+    std::size_t steps_left = kMostSteps;
+    if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, surroundings, steps_left, contacts);
     build.tree.is_solid = surroundings.solid();
     keep_unreachable(contacts, build.tree.is_solid);
     return contacts;

@@ -10,7 +10,7 @@
 namespace hw {
 
 /// Openings narrower than this are closed: cracks that modelling and the grid leave between polygons that should meet.
-inline constexpr double kCrackWidth = 5e-5;  // metres
+inline constexpr double kCrackWidth = 5e-5;  // metres; less in scenes of centimetres: see Grid::scaled()
 
 /// Where two leaves touch, and what of it is open for sight from the one and from the other: convex polygons in metres,
 /// relative to the grid's origin. What is covered by a polygon that is drawn from the side that one comes from is cut

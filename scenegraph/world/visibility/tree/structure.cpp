@@ -1,12 +1,14 @@
 #include "hatchway/world/visibility/tree/structure.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numeric>
 
+#include "hatchway/core/budget.hpp"
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/glob.hpp"
 #include "hatchway/world/visibility/tree/coplanar.hpp"
@@ -15,10 +17,18 @@
 namespace hw {
 namespace {
 
-bool is_named(const std::string& pattern, std::size_t node, const Scene& scene)
+/// Marks the nodes that a glob, or "#12", names. Whether there is one.
+bool mark_named(const std::string& pattern, const Scene& scene, std::uint64_t& steps_left, std::vector<char>& is_named)
 {
-    if (pattern == fmt::format("#{}", node)) return true;
-    return glob_matches(pattern, scene.nodes[node].path);
+    const Glob glob(pattern);
+    bool is_used = false;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const bool is_number = pattern[0] == '#' && pattern == fmt::format("#{}", i);
+        if (!is_number && !glob.matches(scene.nodes[i].path, steps_left)) continue;
+        is_named[i] = 1;
+        is_used = true;
+    }
+    return is_used;
 }
 
 /// For every node, whether the level names it as structure.
@@ -26,17 +36,18 @@ std::vector<char> named_nodes(const Scene& scene, const Level& level)
 {
     std::vector<char> result(scene.nodes.size(), 0);
     if (!level.structure) return result;
+    Budget budget;
     for (std::size_t entry = 0; entry < level.structure->size(); ++entry) {
-        bool is_used = false;
-        for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-            if (!is_named((*level.structure)[entry], i, scene)) continue;
-            result[i] = 1;
-            is_used = true;
-        }
+        const std::string pointer = fmt::format("/structure/{}", entry);
+        budget.spend(Cost::rule_steps, scene.nodes.size(), level.file.string(), pointer);
+        const std::uint64_t allowed = budget.left(Cost::rule_steps);
+        std::uint64_t left = allowed;
+        const bool is_used = mark_named((*level.structure)[entry], scene, left, result);
+        budget.spend(Cost::rule_steps, left == 0 ? allowed + 1 : allowed - left, level.file.string(), pointer);
         if (is_used) continue;
         throw Error({.what = fmt::format("\"{}\" names no node", (*level.structure)[entry]),
                      .file = level.file.string(),
-                     .pointer = fmt::format("/structure/{}", entry),
+                     .pointer = pointer,
                      .expected = "a path glob of nodes of the scene"});
     }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -199,7 +210,7 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
         add_object(scene, id, structure.grid, is_named_node[node] != 0, triangles);
     }
     keep_in_large_planes(triangles, options.max_triangles, structure.grid.step_m);
-    std::vector<FlatPolygon> polygons = merge_coplanar(triangles, 1e-5 / structure.grid.step_m);
+    std::vector<FlatPolygon> polygons = merge_coplanar(triangles, structure.grid.scaled(1e-5) / structure.grid.step_m);
     choose_polygons(polygons, level, options, structure);
     return structure;
 }

@@ -1,0 +1,212 @@
+// Small files that ask for endless work: each ends within 30 s of one processor and 2 GB, with a result or one message.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <random>
+
+#include "tests/io/gltf/model_builder.hpp"
+#include "tests/program/run_program.hpp"
+
+namespace {
+
+using hw::test::ProgramResult;
+using hw::test::run_program;
+using nlohmann::json;
+using testing::Test;
+
+constexpr double kLongest_s = 300.0;  // the machine may be busy with other tests
+constexpr hw::test::ProgramLimits kLimits{.cpu_s = 30, .memory_bytes = 2ull << 30};
+
+using Triangles = std::vector<float>;
+
+void add_triangle(Triangles& triangles, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    for (const glm::vec3& p : {a, b, c}) triangles.insert(triangles.end(), {p.x, p.y, p.z});
+}
+
+void add_box(Triangles& triangles, const glm::vec3& centre, float half)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0f, 1.0f}) {
+            glm::vec3 out(0.0f), u(0.0f), v(0.0f);
+            out[axis] = side * half;
+            u[(axis + 1) % 3] = side * half;
+            v[(axis + 2) % 3] = half;
+            const glm::vec3 middle = centre + out;
+            add_triangle(triangles, middle - u - v, middle + u - v, middle + u + v);
+            add_triangle(triangles, middle - u - v, middle + u + v, middle - u + v);
+        }
+}
+
+Triangles box(float half)
+{
+    Triangles triangles;
+    add_box(triangles, glm::vec3(0.0f), half);
+    return triangles;
+}
+
+/// Numbers in [0, 1) that are the same with every standard library.
+class Random {
+ public:
+    float next() { return static_cast<float>(engine_() / 4294967296.0); }
+    glm::vec3 point()
+    {
+        const float x = next(), y = next();
+        return {x, y, next()};
+    }
+
+ private:
+    std::mt19937 engine_{7};
+};
+
+class endless : public Test {
+ protected:
+    /// A model whose first mesh is these triangles, with nodes that all are roots unless others name them as children.
+    std::string model(const Triangles& triangles, const json& nodes = {{{"mesh", 0}}}, bool is_double_sided = false)
+    {
+        ModelBuilder builder;
+        json primitive = {{"attributes", {{"POSITION", builder.add_positions(triangles)}}}};
+        if (is_double_sided) primitive["material"] = builder.push("materials", {{"doubleSided", true}});
+        builder.push("meshes", {{"primitives", {primitive}}});
+        builder.json["nodes"] = nodes;
+        return folder_.write("model.glb", builder.glb());
+    }
+    ProgramResult run(std::vector<std::string> arguments)
+    {
+        return run_program(arguments, kLongest_s, {"XDG_CACHE_HOME=" + folder_.path().string()}, kLimits);
+    }
+    void expect_opens(const std::string& file)
+    {
+        const ProgramResult result = run({"check", file});
+        EXPECT_EQ(result.exit_code, 0) << result.err.substr(0, 2000);
+    }
+    void expect_message(const ProgramResult& result, const std::string& words)
+    {
+        EXPECT_EQ(result.exit_code, 2) << result.err.substr(0, 2000);
+        EXPECT_NE(result.err.find(words), std::string::npos) << result.err.substr(0, 2000);
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err.substr(0, 2000);
+    }
+    ProgramResult map_of(const std::string& view_box, const std::string& body)
+    {
+        const std::string text = "<svg viewBox=\"" + view_box + "\">" + body + "</svg>";
+        return run({"map", "ink", folder_.write("drawing.svg", text), "--out", folder_ / "map"});
+    }
+
+    hw::test::TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_F(endless, a_number_after_the_end_of_a_path)
+{
+    expect_message(map_of("0 0 9 9", R"(<path d="M0 0Z1"/>)"), "follows the Z");
+}
+
+TEST_F(endless, a_drawing_without_a_size_to_speak_of)
+{
+    expect_message(map_of("0 0 1e-300 1e-300", R"(<path d="M1e9 1e9"/>)"), "too far");
+    expect_message(map_of("0 0 1 1e9", R"(<path d="M0 0L1 1"/>)"), "times as high as wide");
+}
+
+TEST_F(endless, a_stroke_that_crosses_the_drawing_two_thousand_times)
+{
+    EXPECT_EQ(map_of("0 0 1 1", R"(<path d="M-900 -800L600 1000"/>)").exit_code, 0);
+}
+
+TEST_F(endless, ninety_thousand_strokes)
+{
+    std::string path;
+    for (int i = 0; i < 90'000; ++i) path += "M" + std::to_string(i % 100) + " " + std::to_string(i / 100 % 100) + "h1";
+    EXPECT_EQ(map_of("0 0 100 100", "<path d=\"" + path + "\"/>").exit_code, 0);
+}
+
+TEST_F(endless, boxes_that_lie_into_each_other)
+{
+    Random random;
+    Triangles triangles;
+    for (int i = 0; i < 60; ++i) add_box(triangles, 2.0f * random.point(), 0.5f + random.next());
+    expect_opens(model(triangles));
+}
+
+TEST_F(endless, sheets_that_all_cross)
+{
+    Random random;
+    Triangles triangles;
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 u = random.point() - 0.5f, v = random.point() - 0.5f;
+        add_triangle(triangles, -u - v, u - v, u + v);
+        add_triangle(triangles, -u - v, u + v, v - u);
+    }
+    expect_opens(model(triangles, {{{"mesh", 0}}}, true));
+}
+
+TEST_F(endless, sheets_that_lie_on_each_other_in_one_plane)
+{
+    Random random;
+    Triangles triangles;
+    for (int i = 0; i < 3000; ++i) {
+        const glm::vec3 p(3.0f * random.next(), 0.0f, 3.0f * random.next());
+        const glm::vec3 u(0.3f + random.next(), 0.0f, 0.0f), v(0.0f, 0.0f, 0.3f + random.next());
+        add_triangle(triangles, p, p + v, p + u);
+        add_triangle(triangles, p + u, p + v, p + u + v);
+    }
+    expect_opens(model(triangles));
+}
+
+TEST_F(endless, scenes_of_any_size)
+{
+    for (const float half : {1e-38f, 1e-30f, 1e-20f, 1e-12f, 1e-6f, 5e-5f, 1e-3f, 1e6f, 1e9f, 1e14f}) {
+        SCOPED_TRACE(half);
+        expect_opens(model(box(half)));
+    }
+    Triangles triangle;
+    add_triangle(triangle, glm::vec3(0.0f), glm::vec3(1e-38f, 0.0f, 0.0f), glm::vec3(0.0f, 1e-38f, 0.0f));
+    expect_opens(model(triangle));
+}
+
+TEST_F(endless, node_paths_that_multiply)
+{
+    json nodes = json::array();
+    for (int i = 0; i < 200; ++i) nodes.push_back({{"name", std::string(1000, 'n')}, {"children", {i + 1}}});
+    json leaves = json::array();
+    for (int i = 0; i < 10'000; ++i) leaves.push_back(201 + i);
+    nodes.push_back({{"children", leaves}});
+    for (int i = 0; i < 10'000; ++i) nodes.push_back({{"mesh", 0}});
+    expect_message(run({"check", model(box(0.5f), nodes)}), "bytes of node paths");
+}
+
+TEST_F(endless, a_mesh_that_nodes_repeat)
+{
+    Triangles triangles;
+    for (int i = 0; i < 500; ++i) add_box(triangles, glm::vec3(static_cast<float>(i)), 0.4f);
+    json nodes = json::array();
+    for (int i = 0; i < 20'000; ++i) nodes.push_back({{"mesh", 0}});
+    const std::string file = model(triangles, nodes);
+    expect_message(run({"check", file}), "too many drawn triangles");
+    EXPECT_NE(run({"check", file}).err.find("--budget-factor"), std::string::npos) << "how to raise it is said";
+}
+
+TEST_F(endless, a_thousand_rules_over_five_thousand_nodes)
+{
+    json nodes = json::array();
+    for (int i = 0; i < 5000; ++i) nodes.push_back({{"mesh", 0}, {"name", "Hall_" + std::to_string(i) + "_column"}});
+    model(box(0.5f), nodes);
+    json level = {{"format", "hatchway-level/1"}, {"scene", "model.glb"}, {"assign", json::array()}};
+    for (int i = 0; i < 1000; ++i)
+        level["assign"].push_back({{"nodes", "*a*" + std::to_string(i) + "*l*"}, {"style", "photoreal"}});
+    expect_opens(folder_.write("rules.level.json", level.dump()));
+}
+
+TEST_F(endless, a_rule_of_four_hundred_thousand_characters)
+{
+    model(box(0.5f), {{{"mesh", 0}, {"name", std::string(400'000, 'a')}}});
+    std::string glob;
+    while (glob.size() < 400'000) glob += "*a";
+    for (const std::string& end : {"", "b"}) {
+        const json level = {{"format", "hatchway-level/1"},
+                            {"scene", "model.glb"},
+                            {"assign", {{{"nodes", glob + end}, {"style", "photoreal"}}}}};
+        expect_message(run({"check", folder_.write("rules.level.json", level.dump())}), "steps of rules");
+    }
+}
