@@ -145,7 +145,8 @@ void rank_evenly(std::span<MapStroke> strokes)
         const glm::dvec2 middle = middles[*best];
         strokes[*best].priority = static_cast<double>(rank);
         unranked.erase(best);
-        for (const std::size_t i : unranked) clearance[i] = std::min(clearance[i], wrapped_distance(middles[i], middle));
+        for (const std::size_t i : unranked)
+            clearance[i] = std::min(clearance[i], wrapped_distance(middles[i], middle));
     }
     std::ranges::stable_sort(unranked, std::ranges::greater(), merit);
     for (const std::size_t i : unranked) strokes[i].priority = static_cast<double>(rank++);

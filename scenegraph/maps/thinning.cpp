@@ -105,7 +105,8 @@ class Peeling {
     InkMask& mask_;
     std::vector<int> seen_;  ///< The round in which each pixel was last met.
     int round_ = 0;
-    std::array<std::vector<Pixel>, 2> near_;  ///< What pixels went from the neighbourhood of: two peelings ago, and in the last.
+    std::array<std::vector<Pixel>, 2>
+        near_;  ///< What pixels went from the neighbourhood of: two peelings ago, and in the last.
 };
 
 /// Takes a spot out of `left` and gives its place that lies deepest in the ink, or none where it holds a line.

@@ -16,7 +16,8 @@ namespace hw {
 class MapStore {
  public:
     /// The index into maps() of a map that a level, or a style of it, names; reads it on first use. Throws hw::Error
-    /// when there is no such map, it is damaged, of another kind, or too large with the others; `pointer` says where the name stands.
+    /// when there is no such map, it is damaged, of another kind, or too large with the others; `pointer` says where
+    /// the name stands.
     int use(const Level& level, MapKind kind, const std::string& name, const std::string& pointer);
 
     /// For SceneInput::maps. The pointers stay; read_again() changes what they point at.

@@ -1,5 +1,5 @@
-// Rules are many and objects are many: for each pair only a rule's number is written down, by key, and what the deciding
-// rules say is read once, at the end.
+// Rules are many and objects are many: for each pair only a rule's number is written down, by key, and what the
+// deciding rules say is read once, at the end.
 #include "hatchway/world/looks.hpp"
 
 #include <charconv>

@@ -21,8 +21,8 @@ struct ObjectLook {
 
 /// Applies the model's extras, then "assign" from first to last, then the certainty table where no style was said, then
 /// `fallback_style`. One look for each object. Linear in rules x nodes, within a budget. Throws hw::Error for a
-/// rule that names a node by an index that does not exist, or whose glob has a class that is never closed, and where the
-/// budget runs out.
+/// rule that names a node by an index that does not exist, or whose glob has a class that is never closed, and where
+/// the budget runs out.
 std::vector<ObjectLook> resolve_looks(const Level& level, const Scene& scene, const std::string& fallback_style);
 
 }  // namespace hw

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMapFile = "map.json";
-constexpr std::size_t kMostLevels = 13;                    // of 4096 texels
+constexpr std::size_t kMostLevels = 13;                   // of 4096 texels
 constexpr std::uint64_t kMostDrawingPixels = 36'000'000;  // a sheet of A4 at 600 dots an inch
 
 struct MapArguments {

@@ -5,6 +5,7 @@
 // together. Source: Edelsbrunner, Muecke. Simulation of Simplicity. ACM Transactions on Graphics 9, 1990, for the idea.
 #include "hatchway/geometry/lines/intersections.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,13 +15,19 @@
 #include <tuple>
 
 #include "hatchway/core/box.hpp"
+#include "hatchway/core/log.hpp"
 #include "hatchway/geometry/exact/predicates.hpp"
 #include "hatchway/geometry/lines/face_tree.hpp"
 
 namespace hw {
 namespace {
 
-constexpr double kOnePlace = 1e-12;       // in sizes of the objects: cuts this short have no length
+constexpr double kOnePlace = 1e-12;  // in sizes of the objects: cuts this short have no length
+// Work of all pairs together: so many boxes looked at, or fewer where faces are tested and cut each other.
+constexpr std::uint64_t kMostWork = 400'000'000;
+constexpr std::uint64_t kWorkOfTest = 16, kWorkOfCut = 200;
+constexpr std::uint64_t kFacesOfWork = 8;  // faces that are passed over cost less than boxes that are compared
+constexpr std::size_t kPairsAtOnce = 16;
 constexpr double kNearlyCoplanar = 0.01;  // sine of the angle below which faces that touch only graze each other
 
 /// An object in the world.
@@ -92,18 +99,27 @@ bool does_rise(const glm::dvec3& gradient)
     return true;
 }
 
-/// All cuts between two objects, or between the components of one: there a lower component is the first.
+/// All cuts between two objects, or between the components of one: there a lower component is the first. None where
+/// that takes more than `most_work`.
 class PairCuts {
  public:
-    PairCuts(const Placed& first, const Placed& second) : objects_{&first, &second} {}
+    PairCuts(const Placed& first, const Placed& second, std::uint64_t most_work)
+        : objects_{&first, &second}, most_work_(most_work)
+    {
+    }
+
+    bool has_given_up() const { return work_ > most_work_; }
+    std::uint64_t work() const { return work_; }
 
     std::vector<Cut> run()
     {
+        work_ += (objects_[0]->boxes.size() + objects_[1]->boxes.size()) / kFacesOfWork;
         std::array<std::vector<std::uint32_t>, 2> faces;
         for (int side = 0; side < 2; ++side)
             for (std::uint32_t face = 0; face < objects_[side]->boxes.size(); ++face)
                 if (is_wanted(side, face)) faces[side].push_back(face);
         sweep(faces[0], faces[1]);
+        if (has_given_up()) return {};
         std::sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) { return a.faces < b.faces; });
         return std::move(cuts_);
     }
@@ -139,14 +155,16 @@ class PairCuts {
         std::sort(second.begin(), second.end(), by_low(1));
         std::array<std::vector<std::uint32_t>, 2> open;
         std::size_t i = 0, k = 0;
-        while (i < first.size() || k < second.size()) {
+        while ((i < first.size() || k < second.size()) && !has_given_up()) {
             const bool is_first = k == second.size() || (i < first.size() && low(0, first[i]) <= low(1, second[k]));
             const int side = is_first ? 0 : 1;
             const std::uint32_t face = is_first ? first[i++] : second[k++];
             const double at = low(side, face);
             std::erase_if(open[1 - side],
                           [&](std::uint32_t other) { return objects_[1 - side]->boxes[other].max[axis] < at; });
+            work_ += open[1 - side].size();
             for (const std::uint32_t other : open[1 - side]) {
+                if (has_given_up()) return;
                 if (!do_meet(objects_[side]->boxes[face], objects_[1 - side]->boxes[other])) continue;
                 if (is_alone() &&
                     (is_first ? component(face) >= component(other) : component(other) >= component(face)))
@@ -240,6 +258,7 @@ class PairCuts {
     void test(std::uint32_t first, std::uint32_t second)
     {
         const auto all_same = [](const std::array<bool, 3>& s) { return s[0] == s[1] && s[1] == s[2]; };
+        work_ += kWorkOfTest;
         const auto first_sides = sides(0, first, second);
         if (all_same(first_sides)) return;
         const auto second_sides = sides(1, second, first);
@@ -248,10 +267,14 @@ class PairCuts {
         int count = 0;
         add_ends(0, first, second, first_sides, cut, count);
         add_ends(1, second, first, second_sides, cut, count);
-        if (count == 2) cuts_.push_back(cut);
+        if (count < 2) return;
+        work_ += kWorkOfCut;
+        cuts_.push_back(cut);
     }
 
     std::array<const Placed*, 2> objects_;
+    std::uint64_t most_work_;
+    std::uint64_t work_ = 0;
     std::vector<Cut> cuts_;
 };
 
@@ -330,6 +353,54 @@ std::uint32_t append_lines(const Placed& a, const Placed& b, const std::array<st
     return groups.size();
 }
 
+using Pair = std::array<std::uint32_t, 2>;
+
+/// Pairs of objects whose boxes meet and of which one shows such lines, sorted; no more than work can be done for.
+std::vector<Pair> meeting_pairs(std::span<const LineObject> objects, const std::vector<Placed>& world,
+                                std::uint64_t& left_out)
+{
+    constexpr std::size_t kMostPairs = kMostWork / kWorkOfCut;
+    std::vector<Box> boxes;
+    for (const Placed& object : world) boxes.push_back(object.box);
+    const FaceTree tree(std::move(boxes));
+    std::vector<Pair> pairs;
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t a = 0; a < objects.size(); ++a) {
+        if (shows_intersections(objects[a]) && objects[a].surface->components.size() > 1) pairs.push_back({a, a});
+        found.clear();
+        tree.find(world[a].box, found);
+        std::sort(found.begin(), found.end());
+        for (const std::uint32_t b : found) {
+            if (b <= a || !(shows_intersections(objects[a]) || shows_intersections(objects[b]))) continue;
+            if (pairs.size() == kMostPairs) {
+                ++left_out;
+                continue;
+            }
+            pairs.push_back({a, b});
+        }
+    }
+    return pairs;
+}
+
+/// The cuts of a few pairs, and whether each has them.
+struct CutsAtOnce {
+    std::array<std::vector<Cut>, kPairsAtOnce> cuts;
+    std::array<std::uint64_t, kPairsAtOnce> work{};
+    std::array<bool, kPairsAtOnce> is_left_out{};
+};
+
+CutsAtOnce cuts_of(const std::vector<Placed>& world, std::span<const Pair> pairs, std::uint64_t work_left)
+{
+    CutsAtOnce result;
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+        PairCuts search(world[pairs[i][0]], world[pairs[i][1]], work_left / 4);
+        result.cuts[i] = search.run();
+        result.work[i] = search.work();
+        result.is_left_out[i] = search.has_given_up();
+    });
+    return result;
+}
+
 }  // namespace
 
 std::vector<IntersectionLine> find_intersections(std::span<const LineObject> objects,
@@ -337,22 +408,27 @@ std::vector<IntersectionLine> find_intersections(std::span<const LineObject> obj
 {
     std::vector<Placed> world(objects.size());
     tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) { world[i] = placed(objects[i]); });
-    std::vector<std::array<std::uint32_t, 2>> pairs;
-    for (std::uint32_t a = 0; a < objects.size(); ++a) {
-        if (shows_intersections(objects[a]) && objects[a].surface->components.size() > 1) pairs.push_back({a, a});
-        for (std::uint32_t b = a + 1; b < objects.size(); ++b)
-            if ((shows_intersections(objects[a]) || shows_intersections(objects[b])) &&
-                do_meet(world[a].box, world[b].box))
-                pairs.push_back({a, b});
-    }
-    std::vector<std::vector<Cut>> cuts(pairs.size());
-    tbb::parallel_for(std::size_t{0}, pairs.size(),
-                      [&](std::size_t i) { cuts[i] = PairCuts(world[pairs[i][0]], world[pairs[i][1]]).run(); });
+    std::uint64_t left_out = 0;
+    const std::vector<Pair> pairs = meeting_pairs(objects, world, left_out);
+    const std::uint64_t pair_count = pairs.size() + left_out;
     std::vector<IntersectionLine> lines;
     std::uint32_t first_joint = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        first_joint +=
-            append_lines(world[pairs[i][0]], world[pairs[i][1]], pairs[i], cuts[i], first_joint, options, lines);
+    std::uint64_t work_left = kMostWork;
+    for (std::size_t first = 0; first < pairs.size(); first += kPairsAtOnce) {
+        const auto some = std::span(pairs).subspan(first, std::min(kPairsAtOnce, pairs.size() - first));
+        const CutsAtOnce found = cuts_of(world, some, work_left);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            first_joint +=
+                append_lines(world[some[i][0]], world[some[i][1]], some[i], found.cuts[i], first_joint, options, lines);
+            work_left -= std::min(work_left, found.work[i]);
+            left_out += found.is_left_out[i];
+        }
+    }
+    if (left_out > 0)
+        log_warning(
+            fmt::format("{} of {} pairs of objects that may cut each other are left without lines there: the "
+                        "work for all would be too much",
+                        left_out, pair_count));
     return lines;
 }
 

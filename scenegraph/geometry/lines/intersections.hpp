@@ -33,7 +33,7 @@ struct IntersectionOptions {
 /// All lines in which objects cut each other, and components of one object, for every view: the world space positions
 /// decide, rounded to doubles, by exact predicates with one tie rule, so that lines join from face to face without
 /// gaps. Pairs of which neither shows such lines are left out; so are cuts of a component with itself. Sorted by
-/// objects, then faces of the first.
+/// objects, then faces of the first. Pairs past a fixed amount of work have no lines, and a warning says how many.
 std::vector<IntersectionLine> find_intersections(std::span<const LineObject> objects,
                                                  const IntersectionOptions& options = {});
 

@@ -8,6 +8,7 @@
 namespace hw {
 namespace {
 
+constexpr std::uint64_t kMostLookedAt = 100'000'000;  // triangles; past that all lines stay
 constexpr double kBeyond = 4.0;  // in tolerances: how far beyond the line the surface is looked for
 
 /// The part of the way a..b, in [0, 1], that is inside of a triangle in one plane with it.
@@ -89,7 +90,9 @@ std::vector<Interval> Overlaps::covered(const Way& way, const glm::dvec3& shift,
         box.add(end + glm::dvec3(tolerance));
     }
     found_.clear();
+    if (looked_at_ > kMostLookedAt) return {};
     tree_.find(box, found_);
+    looked_at_ += found_.size();
     std::vector<Interval> parts;
     for (const std::uint32_t id : found_) {
         const Triangle& triangle = triangles_[id];

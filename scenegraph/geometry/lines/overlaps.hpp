@@ -53,6 +53,7 @@ class Overlaps {
     std::vector<Triangle> triangles_;
     FaceTree tree_;
     std::vector<std::uint32_t> found_;
+    std::uint64_t looked_at_ = 0;  ///< Triangles, of all lines so far.
 };
 
 }  // namespace hw

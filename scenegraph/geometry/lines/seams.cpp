@@ -16,6 +16,8 @@
 namespace hw {
 namespace {
 
+constexpr std::uint64_t kMostLookedAt = 20'000'000;  // lines in pieces; past that none is a seam
+
 /// One face at one line of a surface, object space.
 struct EdgeSide {
     std::uint32_t edge;
@@ -191,7 +193,8 @@ class SeamSearch {
     void look_at_piece(const std::vector<std::uint32_t>& group, const std::vector<std::uint32_t>& active,
                        const Segment& axis, const Interval& piece)
     {
-        if (active.size() < 2) return;
+        if (active.size() < 2 || looked_at_ > kMostLookedAt) return;
+        looked_at_ += active.size();
         faces_.clear();
         for (const std::uint32_t i : active) add_faces(group[i], axis, faces_);
         if (!is_flat_across(faces_, options_.flat_rad)) return;
@@ -276,6 +279,7 @@ class SeamSearch {
     std::vector<SeamLine> lines_;
     std::vector<std::vector<Interval>> hidden_;  // for each line, in world lengths from its first end
     std::vector<FaceAtLine> faces_;
+    std::uint64_t looked_at_ = 0;  // lines, of all pieces so far
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr std::size_t kMaxStrokes = 100'000;
 constexpr std::size_t kMaxPoints = 200'000;
 constexpr double kMaxLength = 4000.0;  // widths of the drawing: more ink than its paper holds
 constexpr double kFarthest = 1e5;      // widths of the drawing, from its corner
-constexpr double kMostHigh = 256.0;   // widths of the drawing; as wide at most
+constexpr double kMostHigh = 256.0;    // widths of the drawing; as wide at most
 constexpr int kCurvePieces = 16;
 
 /// Numbers of a list such as "M 10,20 l-3.5 4": separators are spaces and commas, a sign starts a number.

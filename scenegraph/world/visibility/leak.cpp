@@ -17,6 +17,8 @@ constexpr double kMargin_m = 1.0;          // of the box around the scene
 constexpr double kLeastHoleReach_m = 0.5;  // openings this near to a hole belong to it
 constexpr int kNoLeaf = -1;
 constexpr int kMostPolygons = 500'000;
+constexpr std::size_t kMostTriangles = 8'000'000;
+constexpr BspLimits kBspLimits{.most_leaves = 2'000'000, .most_steps = 400'000'000};
 
 /// Sight from a leaf into its neighbour.
 struct Way {
@@ -69,12 +71,13 @@ Rooms make_rooms(const Scene& scene, const Level& level)
     StructureOptions options;
     options.max_structure = kMostPolygons;
     options.max_details = kMostPolygons;
-    options.max_triangles = std::numeric_limits<std::size_t>::max();
+    options.max_triangles = kMostTriangles;
     options.least_area_share = 0.0;
     options.margin_m = kMargin_m;
     Structure structure = choose_structure(scene, level, options);
-    BspBuild build = build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons),
-                               structure.box_min, structure.box_max);
+    BspBuild build =
+        build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons), structure.box_min,
+                  structure.box_max, std::numeric_limits<double>::infinity(), kBspLimits);
     const std::vector<LeafContact> contacts = leaf_contacts(build);
     Rooms rooms;
     rooms.build = std::move(build);

@@ -139,13 +139,13 @@ BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOpti
     stats.detail_polygons = static_cast<int>(structure.polygons.size()) - structure.structure_count;
     note_demoted(structure, options, scene.bounds_world, stats);
     const std::size_t polygon_count = structure.polygons.size();
-    BspBuild build =
-        build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons), structure.box_min,
-                  structure.box_max, longest_cell_m(scene, structure.grid, options));
+    BspBuild build = build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons),
+                               structure.box_min, structure.box_max, longest_cell_m(scene, structure.grid, options));
     if (build.left_out > 0)
         stats.shortfalls.push_back(
-            {fmt::format("{} of {} polygons block no sight: their planes part space into more cells than there is room for",
-                         build.left_out, polygon_count),
+            {fmt::format(
+                 "{} of {} polygons block no sight: their planes part space into more cells than there is room for",
+                 build.left_out, polygon_count),
              scene.bounds_world});
     return build;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -255,6 +256,20 @@ void collect_near(const BspTree& tree, int child, const glm::dvec3& centre_grid,
     if (distance <= reach) collect_near(tree, node.back, centre_grid, reach, leaves);
 }
 
+void collect_box(const BspTree& tree, int child, const glm::dvec3& centre, const glm::dvec3& half, double reach,
+                 std::vector<int>& leaves)
+{
+    if (child < 0) {
+        leaves.push_back(~child);
+        return;
+    }
+    const BspNode& node = tree.nodes[static_cast<std::size_t>(child)];
+    const double distance = node.plane.distance(centre);
+    const double radius = glm::dot(glm::abs(node.plane.unit_normal), half) + reach;
+    if (distance >= -radius) collect_box(tree, node.front, centre, half, reach, leaves);
+    if (distance <= radius) collect_box(tree, node.back, centre, half, reach, leaves);
+}
+
 int root_of(const BspTree& tree)
 {
     return tree.nodes.empty() ? ~0 : 0;
@@ -366,6 +381,14 @@ void leaves_of_polygon(const BspTree& tree, std::span<const glm::dvec3> corners_
     const auto begin = leaves.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, leaves.end());
     leaves.erase(std::unique(begin, leaves.end()), leaves.end());
+}
+
+void leaves_of_box(const BspTree& tree, const Box& box_world, double slack_m, std::vector<int>& leaves)
+{
+    const std::size_t first = leaves.size();
+    collect_box(tree, root_of(tree), to_grid(tree.grid, box_world.centre()), 0.5 * box_world.size() / tree.grid.step_m,
+                slack_m / tree.grid.step_m, leaves);
+    std::sort(leaves.begin() + static_cast<std::ptrdiff_t>(first), leaves.end());
 }
 
 }  // namespace hw

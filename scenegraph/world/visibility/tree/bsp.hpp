@@ -64,8 +64,8 @@ struct BspLimits {
 /// Splits space by the planes of `polygons`, which lie within the box; every decision is exact, so no piece is lost,
 /// doubled or misplaced. The splitter is the plane of least measured cost (pieces cut, balance, area that it takes
 /// along) among a fixed number of candidates: the largest polygons of the node and an even sample of the rest.
-/// Clusters longer than `most_part_m` are halved into parts by planes across the axes, before details split them. Where the
-/// limits run out the first third of the polygons is tried alone, then a ninth and so on.
+/// Clusters longer than `most_part_m` are halved into parts by planes across the axes, before details split them. Where
+/// the limits run out the first third of the polygons is tried alone, then a ninth and so on.
 BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygon> polygons,
                    const std::array<std::int64_t, 3>& box_min, const std::array<std::int64_t, 3>& box_max,
                    double most_part_m = std::numeric_limits<double>::infinity(), const BspLimits& limits = {});
@@ -82,5 +82,8 @@ std::vector<int> leaves_near(const BspTree& tree, const glm::dvec3& centre_world
 /// the side that it looks to alone. Zero for a polygon that is drawn from both sides.
 void leaves_of_polygon(const BspTree& tree, std::span<const glm::dvec3> corners_world, const glm::dvec3& facing,
                        double slack_m, std::vector<int>& leaves);
+
+/// Every leaf that a box touches within `slack_m`, ascending, appended; a few more where it is near an edge of a leaf.
+void leaves_of_box(const BspTree& tree, const Box& box_world, double slack_m, std::vector<int>& leaves);
 
 }  // namespace hw

@@ -57,8 +57,9 @@ class PlaneFinder {
     using Cell = std::array<std::int64_t, 4>;
     static constexpr double kNormalCell = 1.0 / 16.0;
     static constexpr double kOffsetCell = 65536.0;  // half a metre at the finest grid
-    static constexpr std::size_t kMostTried = 4096;  // planes of one cell, the largest: on rough ground nearly all share one
-    static constexpr double kMargin = 0.05;         // of a cell: how far a near plane's own numbers may lie away
+    static constexpr std::size_t kMostTried =
+        4096;                                // planes of one cell, the largest: on rough ground nearly all share one
+    static constexpr double kMargin = 0.05;  // of a cell: how far a near plane's own numbers may lie away
 
     static Cell cell(const glm::dvec3& normal, double offset, double shift)
     {

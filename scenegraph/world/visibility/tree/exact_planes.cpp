@@ -13,8 +13,8 @@
 namespace hw {
 namespace {
 
-constexpr double kLeastSteps = 8192.0;    // that a scene is long
-constexpr double kLeastReach = 1e-30;     // metres
+constexpr double kLeastSteps = 8192.0;            // that a scene is long
+constexpr double kLeastReach = 1e-30;             // metres
 constexpr double kSureDistance = 1.0 / 262144.0;  // 2^-18 of a grid step
 
 using Normal = std::array<std::int64_t, 3>;

@@ -21,7 +21,10 @@ struct Grid {
     double step_m = kUsualStep_m;
 
     /// A tolerance that is meant for scenes of metres; in scenes so small that their grid is finer, it shrinks with it.
-    double scaled(double tolerance_m) const { return step_m < kUsualStep_m ? tolerance_m * (step_m / kUsualStep_m) : tolerance_m; }
+    double scaled(double tolerance_m) const
+    {
+        return step_m < kUsualStep_m ? tolerance_m * (step_m / kUsualStep_m) : tolerance_m;
+    }
 };
 
 /// Grid coordinates never leave [-kMaxGridCoordinate, kMaxGridCoordinate]: the width of every product follows from it.

@@ -5,7 +5,6 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <unordered_map>
 
 namespace hw {
 namespace {
@@ -13,17 +12,15 @@ namespace {
 constexpr double kNormalCell = 1.0 / 64.0;
 constexpr double kOffsetCellM = 0.1;
 
-struct Facet {
-    glm::dvec3 normal{0.0};  ///< Unit, its largest component positive: a plane has two sides.
-    double offset_m = 0.0;
-    double area = 0.0;
-};
+constexpr std::array<double, 2> kShifts{0.0, 0.5};
 
-Facet facet_of(const GridTriangle& triangle, double step_m)
+}  // namespace
+
+LargePlanes::Facet LargePlanes::facet_of(const GridTriangle& triangle) const
 {
     const auto corner = [&](std::size_t i) {
         const auto& p = triangle.corners[i];
-        return glm::dvec3(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])) * step_m;
+        return glm::dvec3(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])) * step_m_;
     };
     const glm::dvec3 a = corner(0);
     const glm::dvec3 cross = glm::cross(corner(1) - a, corner(2) - a);
@@ -36,57 +33,48 @@ Facet facet_of(const GridTriangle& triangle, double step_m)
     return {normal, -glm::dot(normal, a), 0.5 * length};
 }
 
-/// Facets by cells; `shift` of a cell, since mates may lie on either side of a border.
-class AreaOfCells {
- public:
-    explicit AreaOfCells(double shift) : shift_(shift) {}
-    void add(const Facet& facet) { areas_[key(facet)] += facet.area; }
-    double area(const Facet& facet) const { return areas_.at(key(facet)); }
-
- private:
-    std::uint64_t key(const Facet& facet) const
-    {
-        std::uint64_t hash = 0;
-        for (const double place : {facet.normal.x / kNormalCell, facet.normal.y / kNormalCell,
-                                   facet.normal.z / kNormalCell, facet.offset_m / kOffsetCellM}) {
-            const auto cell = static_cast<std::int64_t>(std::floor(place + shift_));
-            hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x9e3779b97f4a7c15ull;
-            hash ^= hash >> 29;
-        }
-        return hash;
-    }
-
-    double shift_;
-    std::unordered_map<std::uint64_t, double> areas_;
-};
-
-}  // namespace
-
-std::size_t keep_in_large_planes(std::vector<GridTriangle>& triangles, std::size_t most, double step_m)
+std::uint64_t LargePlanes::key(const Facet& facet, double shift)
 {
-    if (triangles.size() <= most) return 0;
-    AreaOfCells cells(0.0), between(0.5);
-    for (const GridTriangle& triangle : triangles) {
-        const Facet facet = facet_of(triangle, step_m);
-        cells.add(facet);
-        between.add(facet);
+    std::uint64_t hash = 0;
+    for (const double place : {facet.normal.x / kNormalCell, facet.normal.y / kNormalCell, facet.normal.z / kNormalCell,
+                               facet.offset_m / kOffsetCellM}) {
+        const auto cell = static_cast<std::int64_t>(std::floor(place + shift));
+        hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x9e3779b97f4a7c15ull;
+        hash ^= hash >> 29;
     }
-    std::vector<double> area;
-    for (const GridTriangle& triangle : triangles) {
-        const Facet facet = facet_of(triangle, step_m);
-        area.push_back(triangle.is_named ? std::numeric_limits<double>::infinity()
-                                         : std::max(cells.area(facet), between.area(facet)));
-    }
-    std::vector<double> sorted = area;
-    const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(most);
-    std::nth_element(sorted.begin(), last, sorted.end(), std::greater<>());
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (area[i] >= *last) triangles[kept++] = triangles[i];
-    }
-    const std::size_t left_out = triangles.size() - kept;
-    triangles.resize(kept);
-    return left_out;
+    return hash;
+}
+
+void LargePlanes::add_area(const GridTriangle& triangle)
+{
+    const Facet facet = facet_of(triangle);
+    for (std::size_t i = 0; i < kShifts.size(); ++i) areas_[i][key(facet, kShifts[i])] += facet.area;
+}
+
+double LargePlanes::area_of(const GridTriangle& triangle) const
+{
+    if (triangle.is_named) return std::numeric_limits<double>::infinity();
+    const Facet facet = facet_of(triangle);
+    return std::max(areas_[0].at(key(facet, kShifts[0])), areas_[1].at(key(facet, kShifts[1])));
+}
+
+void LargePlanes::rank(const GridTriangle& triangle)
+{
+    ranked_.push_back(area_of(triangle));
+}
+
+void LargePlanes::choose(std::size_t most)
+{
+    if (ranked_.size() <= most) return;
+    const auto last = ranked_.begin() + static_cast<std::ptrdiff_t>(most);
+    std::nth_element(ranked_.begin(), last, ranked_.end(), std::greater<>());
+    least_area_ = *last;
+    ranked_ = {};
+}
+
+bool LargePlanes::keeps(const GridTriangle& triangle) const
+{
+    return area_of(triangle) >= least_area_;
 }
 
 }  // namespace hw

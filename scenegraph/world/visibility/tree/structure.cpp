@@ -57,25 +57,84 @@ std::vector<char> named_nodes(const Scene& scene, const Level& level)
     return result;
 }
 
-void add_object(const Scene& scene, ObjectId id, const Grid& grid, bool is_named, std::vector<GridTriangle>& triangles)
-{
-    const Object& object = scene.objects[id];
-    const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
-    const bool is_double_sided = scene.materials[static_cast<std::size_t>(object.material)].is_double_sided;
-    const glm::dmat4& matrix = scene.world_from_object(id);
-    // A mirroring transform turns the winding round, and what is drawn with it.
-    const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        GridTriangle triangle;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const glm::dvec3 position(mesh.positions[mesh.indices[i + corner]]);
-            triangle.corners[corner] = snapped(grid, glm::dvec3(matrix * glm::dvec4(position, 1.0)));
-        }
-        if (is_mirrored) std::swap(triangle.corners[1], triangle.corners[2]);
-        triangle.is_double_sided = is_double_sided;
-        triangle.is_named = is_named;
-        triangles.push_back(triangle);
+/// Shows each triangle that may block sight: opaque and static ones.
+class BlockingTriangles {
+ public:
+    BlockingTriangles(const Scene& scene, const Level& level, const Grid& grid)
+        : scene_(scene), grid_(grid), is_named_node_(named_nodes(scene, level))
+    {
     }
+
+    std::size_t count() const
+    {
+        std::size_t sum = 0;
+        visit_objects([&](ObjectId id) { sum += mesh_of(id).indices.size() / 3; });
+        return sum;
+    }
+
+    template <typename Visit>
+    void visit(const Visit& visit) const
+    {
+        visit_objects([&](ObjectId id) { visit_object(id, visit); });
+    }
+
+ private:
+    const MeshData& mesh_of(ObjectId id) const
+    {
+        return scene_.meshes[static_cast<std::size_t>(scene_.objects[id].mesh)];
+    }
+
+    template <typename Visit>
+    void visit_objects(const Visit& visit) const
+    {
+        for (ObjectId id = 0; id < scene_.objects.size(); ++id) {
+            const Object& object = scene_.objects[id];
+            if (scene_.nodes[static_cast<std::size_t>(object.node)].is_animated) continue;
+            if (scene_.materials[static_cast<std::size_t>(object.material)].alpha_mode == AlphaMode::opaque) visit(id);
+        }
+    }
+
+    template <typename Visit>
+    void visit_object(ObjectId id, const Visit& visit) const
+    {
+        const Object& object = scene_.objects[id];
+        const MeshData& mesh = mesh_of(id);
+        const glm::dmat4& matrix = scene_.world_from_object(id);
+        // A mirroring transform turns the winding round, and what is drawn with it.
+        const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
+        GridTriangle triangle;
+        triangle.is_double_sided = scene_.materials[static_cast<std::size_t>(object.material)].is_double_sided;
+        triangle.is_named = is_named_node_[static_cast<std::size_t>(object.node)] != 0;
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const glm::dvec3 position(mesh.positions[mesh.indices[i + corner]]);
+                triangle.corners[corner] = snapped(grid_, glm::dvec3(matrix * glm::dvec4(position, 1.0)));
+            }
+            if (is_mirrored) std::swap(triangle.corners[1], triangle.corners[2]);
+            visit(triangle);
+        }
+    }
+
+    const Scene& scene_;
+    const Grid& grid_;
+    std::vector<char> is_named_node_;
+};
+
+/// About `most` of them, in their order: those in large planes. The others are never held.
+std::vector<GridTriangle> chosen_triangles(const BlockingTriangles& all, std::size_t most, double step_m)
+{
+    std::vector<GridTriangle> triangles;
+    LargePlanes planes(step_m);
+    const bool are_many = all.count() > most;
+    if (are_many) {
+        all.visit([&](const GridTriangle& triangle) { planes.add_area(triangle); });
+        all.visit([&](const GridTriangle& triangle) { planes.rank(triangle); });
+        planes.choose(most);
+    }
+    all.visit([&](const GridTriangle& triangle) {
+        if (!are_many || planes.keeps(triangle)) triangles.push_back(triangle);
+    });
+    return triangles;
 }
 
 void set_box(Structure& structure, const Box& bounds_world)
@@ -200,16 +259,8 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
     set_box(structure, {scene.bounds_world.min - options.margin_m, scene.bounds_world.max + options.margin_m});
     structure.scene_side_m2 = largest_side(scene.bounds_world);
 
-    const std::vector<char> is_named_node = named_nodes(scene, level);
-    std::vector<GridTriangle> triangles;
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const Object& object = scene.objects[id];
-        const std::size_t node = static_cast<std::size_t>(object.node);
-        if (scene.nodes[node].is_animated) continue;
-        if (scene.materials[static_cast<std::size_t>(object.material)].alpha_mode != AlphaMode::opaque) continue;
-        add_object(scene, id, structure.grid, is_named_node[node] != 0, triangles);
-    }
-    keep_in_large_planes(triangles, options.max_triangles, structure.grid.step_m);
+    const std::vector<GridTriangle> triangles =
+        chosen_triangles(BlockingTriangles(scene, level, structure.grid), options.max_triangles, structure.grid.step_m);
     std::vector<FlatPolygon> polygons = merge_coplanar(triangles, structure.grid.scaled(1e-5) / structure.grid.step_m);
     choose_polygons(polygons, level, options, structure);
     return structure;
