@@ -99,8 +99,11 @@ LeafRows slots_seen(const SlotPlaces& places, const LeafRows& clusters_seen)
     const bool are_many = drawn_triangle_count(places.scene) > kMostTriangles;
     for (std::uint32_t slot = 0; slot < places.slots.size(); ++slot) {
         if (!is_animated(places, slot)) {
-            for (const SlotTriangle& triangle : slot_triangles(places, slot))
-                add_triangle(places, triangle, slot, presences);
+            if (are_many)
+                add_slot_box(places, slot, presences);
+            else
+                for (const SlotTriangle& triangle : slot_triangles(places, slot))
+                    add_triangle(places, triangle, slot, presences);
             continue;
         }
         for (int cluster = 0; cluster < rows.leaf_count(); ++cluster) rows.show(cluster, static_cast<int>(slot));
