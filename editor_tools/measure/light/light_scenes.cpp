@@ -1,8 +1,10 @@
 #include "measure/light/light_scenes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "hatchway/core/error.hpp"
 #include "measure/light/light_reference.hpp"
 
 namespace hw {
@@ -220,6 +222,14 @@ std::vector<LightCase> light_cases()
     cases.push_back(closed_room_case());
     cases.push_back(lit_room_case());
     return cases;
+}
+
+const LightCase& light_case_named(const std::string& name)
+{
+    static const std::vector<LightCase> cases = light_cases();
+    const auto found = std::find_if(cases.begin(), cases.end(), [&](const LightCase& c) { return c.name == name; });
+    HW_ASSERT(found != cases.end());
+    return *found;
 }
 
 std::vector<DarkRoom> dark_rooms()

@@ -21,6 +21,8 @@ struct LightCase {
 
 /// Point, sun, rectangle, covered sky and closed bright room, each with its closed form; and a lit room without one.
 std::vector<LightCase> light_cases();
+/// The one of that name, which there must be.
+const LightCase& light_case_named(const std::string& name);
 
 /// A room that is closed and dark within, in bright surroundings.
 struct DarkRoom {

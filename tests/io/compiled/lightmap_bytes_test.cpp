@@ -5,20 +5,20 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/world/light/bake.hpp"
 #include "hatchway/world/light/random.hpp"
-#include "measure/light/light_reference.hpp"
+#include "measure/light/light_scenes.hpp"
 
 using namespace hw;
 
 TEST(lightmap_bytes, comes_back_as_it_was)
 {
-    const LightCase& room = case_named("lit room");
+    const LightCase& room = light_case_named("lit room");
     const Lightmap lightmap = bake_lightmap(room.scene, room.sources, {.luxels_per_m = 2.0, .samples = 8});
     EXPECT_EQ(lightmap_from_bytes(lightmap_bytes(lightmap), room.scene, "room.light"), lightmap);
 }
 
 TEST(lightmap_bytes, damaged_or_cut_short_is_refused)
 {
-    const LightCase& sun = case_named("sun");
+    const LightCase& sun = light_case_named("sun");
     const std::vector<std::byte> good =
         lightmap_bytes(bake_lightmap(sun.scene, sun.sources, {.luxels_per_m = 1.0, .samples = 8}));
     for (std::uint32_t i = 0; i < 10000; ++i) {
@@ -33,10 +33,10 @@ TEST(lightmap_bytes, damaged_or_cut_short_is_refused)
 
 TEST(lightmap_bytes, of_another_scene_is_refused)
 {
-    const LightCase& sun = case_named("sun");
+    const LightCase& sun = light_case_named("sun");
     const std::vector<std::byte> bytes =
         lightmap_bytes(bake_lightmap(sun.scene, sun.sources, {.luxels_per_m = 1.0, .samples = 8}));
-    EXPECT_THROW(lightmap_from_bytes(bytes, case_named("rectangle").scene, "sun.light"), Error);
+    EXPECT_THROW(lightmap_from_bytes(bytes, light_case_named("rectangle").scene, "sun.light"), Error);
     Scene other = sun.scene;
     std::swap(other.meshes[0].indices[0], other.meshes[0].indices[1]);
     EXPECT_THROW(lightmap_from_bytes(bytes, other, "sun.light"), Error);

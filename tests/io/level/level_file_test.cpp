@@ -422,11 +422,11 @@ TEST(level_schema, collects_parameters_in_order_with_their_defaults)
     hw::SchemaCollector collector;
     float width = 1.5f;
     glm::vec3 colour(1.0f, 0.5f, 0.0f);
-    int choice = 1;
+    enum class Tip { round, square } tip = Tip::square;
     const std::string_view names[] = {"round", "square"};
     collector.real({"width_px", "How wide."}, width, 0.1f, 8.0f);
     collector.colour({"ink", "Its colour."}, colour);
-    collector.choice({"tip", "Its shape.", hw::ParamChange::rebuild}, choice, names);
+    collector.choice({"tip", "Its shape.", hw::ParamChange::rebuild}, tip, names);
     ASSERT_EQ(collector.params().size(), 3u);
     EXPECT_EQ(std::get<std::string>(collector.params()[1].default_value), "#ff8000");
     EXPECT_EQ(std::get<std::string>(collector.params()[2].default_value), "square");

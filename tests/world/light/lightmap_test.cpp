@@ -80,17 +80,9 @@ Light sun_along(const glm::dvec3& direction)
 
 constexpr BakeOptions kQuick{.luxels_per_m = 4.0, .samples = 16};
 
-const LightCase& case_named(const std::string& name)
-{
-    static const std::vector<LightCase> cases = light_cases();
-    const auto found = std::find_if(cases.begin(), cases.end(), [&](const LightCase& c) { return c.name == name; });
-    EXPECT_NE(found, cases.end());
-    return *found;
-}
-
 LightError final_error(const std::string& name)
 {
-    const LightCase& known = case_named(name);
+    const LightCase& known = light_case_named(name);
     BakeOptions options = bake_options(BakeQuality::final);
     options.luxels_per_m = known.luxels_per_m;
     return light_error(bake_lightmap(known.scene, known.sources, options), known);
@@ -462,7 +454,7 @@ TEST(baked_light, the_smallest_instance_shares_the_layout_of_the_largest)
 
 TEST(baked_light, one_thread_and_two_give_the_same_bytes)
 {
-    const LightCase& room = case_named("lit room");
+    const LightCase& room = light_case_named("lit room");
     const auto bytes_with = [&](std::size_t threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
         return lightmap_bytes(bake_lightmap(room.scene, room.sources, {.luxels_per_m = 2.0, .samples = 16}));
@@ -472,7 +464,7 @@ TEST(baked_light, one_thread_and_two_give_the_same_bytes)
 
 TEST(baked_light, passes_are_shown_as_they_come_and_the_last_is_the_result)
 {
-    const LightCase& sun = case_named("sun");
+    const LightCase& sun = light_case_named("sun");
     std::vector<std::uint32_t> samples;
     Lightmap last;
     const Lightmap result = bake_lightmap(sun.scene, sun.sources, kQuick, [&](const BakeState& state) {
@@ -485,7 +477,7 @@ TEST(baked_light, passes_are_shown_as_they_come_and_the_last_is_the_result)
 
 TEST(lightmap_key, changes_with_whatever_the_light_depends_on)
 {
-    const LightCase& room = case_named("lit room");
+    const LightCase& room = light_case_named("lit room");
     const std::uint64_t key = lightmap_key(room.scene, room.sources);
     EXPECT_EQ(lightmap_key(room.scene, room.sources), key);
     Scene moved = room.scene;
@@ -503,7 +495,7 @@ TEST(lightmap_key, changes_with_whatever_the_light_depends_on)
 
 TEST(light_measure, a_lightmap_that_is_a_tenth_too_bright_has_a_tenth_of_error)
 {
-    const LightCase& sun = case_named("sun");
+    const LightCase& sun = light_case_named("sun");
     LightSources brighter = sun.sources;
     brighter.lights[0].intensity *= 1.1f;
     const LightError error = light_error(bake_lightmap(sun.scene, brighter, kQuick), sun);
