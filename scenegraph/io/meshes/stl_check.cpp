@@ -129,6 +129,7 @@ class StlTextCheck {
             ++result_.faces_without_area;
             return;
         }
+        if (result_.parts.empty()) begin_solid({});  // the file begins with "solids" or the like
         check_triangle_count(++result_.faces, place());
         result_.text += "outer loop\n";
         for (const glm::vec3& corner : facet_)

@@ -238,6 +238,7 @@ TEST(mesh_import, an_stl_solid_called_outer_is_no_facet_and_each_solid_is_a_node
     EXPECT_EQ(triangles_of(scene).size(), 24u);
     ASSERT_EQ(scene.objects.size(), 2u);
     EXPECT_EQ(scene.nodes[1].path, "Cube");
+    EXPECT_EQ(import_text(with(stl_text(), "solid Cube", "solids"), "a.stl").nodes[0].path, "a");
 }
 
 TEST(mesh_import, numbers_have_points_whatever_the_locale_says)
