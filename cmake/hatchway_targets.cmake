@@ -12,8 +12,11 @@ if(HATCHWAY_SANITIZE)
     target_compile_options(hatchway_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
                            -fno-sanitize-recover=undefined
                            # GCC 12 takes instrumented code of std::regex for uninitialised.
-                           -Wno-maybe-uninitialized)
+                           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(hatchway_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(HATCHWAY_LIBFUZZER)
+    target_compile_options(hatchway_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 target_compile_definitions(hatchway_flags INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
 # Headers have one name, "hatchway/LAYER/...", in this tree and in an installation.
@@ -48,7 +51,8 @@ function(hatchway_layer name)
 endfunction()
 
 # hatchway_test(NAME [LIBRARIES ...] [LABELS ...] [SOURCES ...]): the test binary of one layer, of all sources below its
-# folder unless SOURCES says which; its tests are listed one by one in ctest.
+# folder unless SOURCES says which. In ctest each of its suites is one test, since a process for each case costs more than
+# most cases; tests/results/NAME.SUITE.xml in the build folder has the cases.
 function(hatchway_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     if(NOT TEST_SOURCES)
@@ -62,6 +66,10 @@ function(hatchway_test name)
     target_include_directories(test_${name} PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/editor_tools")
     target_precompile_headers(test_${name} PRIVATE <gtest/gtest.h> <gmock/gmock.h> <filesystem> <functional> <map> <set>
                               <span> <string> <vector> <glm/glm.hpp>)
-    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-        PROPERTIES LABELS "${name};${TEST_LABELS}" TIMEOUT 300)
+    set(suites "${CMAKE_CURRENT_BINARY_DIR}/test_${name}_suites.cmake")
+    file(GENERATE OUTPUT "${suites}" CONTENT "include(\"${CMAKE_SOURCE_DIR}/cmake/add_suites.cmake\")
+hatchway_add_suites(${name} \"$<TARGET_FILE:test_${name}>\" \"${CMAKE_BINARY_DIR}/tests/results\" \"${name};${TEST_LABELS}\"
+                    \"${CMAKE_COMMAND}\")
+")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${suites}")
 endfunction()

@@ -8,18 +8,19 @@ packages=(
     libpng-dev libjpeg62-turbo-dev zlib1g-dev libcairo2-dev
     libopenmesh-dev libtbb-dev libembree-dev
     libgtest-dev libgmock-dev libgmp-dev
-    xvfb xauth xdotool
 )
+check_packages=(xvfb xauth xdotool clang-format)
+check_all_packages=(clang clang-tidy)
 
-# Installs the Debian packages that are missing; says nothing when all are there.
+# install_missing_packages PACKAGE...: installs the Debian packages that are missing; says nothing when all are there.
 install_missing_packages() {
     if ! command -v dpkg-query >/dev/null; then
-        echo "This is no Debian system: please install what ${packages[*]} stand for, then use --no-install." >&2
+        echo "This is no Debian system: please install what $* stand for, then use --no-install." >&2
         exit 2
     fi
     local present missing=() package
-    present=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)
-    for package in "${packages[@]}"; do
+    present=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null || true)
+    for package in "$@"; do
         grep -qxF "installed $package" <<<"$present" || missing+=("$package")
     done
     [ ${#missing[@]} -gt 0 ] || return 0
@@ -31,16 +32,16 @@ install_missing_packages() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build PRESET [TARGET...]: configures and builds into build/PRESET; says nothing when all is up to date.
+# build PRESET TARGET...: configures and builds into build/PRESET; says nothing when all is up to date.
 build() {
     local preset=$1 folder=build/$1
     shift
     if [ ! -f "$folder/build.ninja" ]; then
         echo "Building Hatchway ($preset); the first time takes some minutes" >&2
         mkdir -p "$folder"
-        cmake --preset "$preset" >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log" >&2; exit 1; }
+        cmake --preset "$preset" >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log" >&2; return 1; }
     fi
     local output
     output=$(ninja -C "$folder" -n "$@" 2>&1 || true)
-    [[ $output == *"no work to do"* ]] || cmake --build "$folder" --target "${@:-all}" >&2
+    [[ $output == *"no work to do"* ]] || cmake --build "$folder" --target "$@" >&2
 }

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "tests/shared_data.hpp"
+
 namespace hw::test {
 namespace {
 
@@ -86,7 +88,7 @@ std::vector<MeshData> read_glb_meshes(const std::filesystem::path& file)
 std::vector<std::filesystem::path> shared_glb_files(const char* folder)
 {
     std::vector<std::filesystem::path> files;
-    const std::filesystem::path place = std::filesystem::path(HATCHWAY_SOURCE_DIR "/../shared/data") / folder;
+    const std::filesystem::path place = kSharedData / folder;
     if (!std::filesystem::is_directory(place)) return files;
     for (const auto& entry : std::filesystem::directory_iterator(place)) {
         if (entry.path().extension() == ".glb") files.push_back(entry.path());

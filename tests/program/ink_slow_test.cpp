@@ -11,6 +11,7 @@
 #include "hatchway/stage/stage.hpp"
 #include "measure/lines/line_error.hpp"
 #include "tests/program/run_program.hpp"
+#include "tests/shared_data.hpp"
 
 namespace hw::test {
 namespace {
@@ -62,7 +63,7 @@ const std::array<InkScene, 4> kScenes{{{"city_kaykit_9x9.glb",
 
 TEST(ink_slow, covers_between_two_and_twenty_five_percent_at_six_cameras_of_every_scene)
 {
-    if (!std::filesystem::exists(kSharedData / "scenes")) GTEST_SKIP() << "no scenes beside the project";
+    HATCHWAY_NEEDS_DATA(std::filesystem::exists(kSharedData / "scenes"), "scenes beside the project");
     for (const InkScene& scene : kScenes) {
         const auto context = make_headless_context();
         StageOptions options;

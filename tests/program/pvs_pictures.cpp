@@ -12,6 +12,7 @@
 #include "hatchway/stage/whole_scene.hpp"
 #include "measure/picture_difference.hpp"
 #include "tests/program/run_program.hpp"
+#include "tests/shared_data.hpp"
 
 namespace hw::test {
 namespace fs = std::filesystem;
@@ -65,6 +66,7 @@ PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, 
 std::vector<fs::path> pvs_scenes()
 {
     std::vector<fs::path> scenes{kContent / "levels" / "hall.level.json"};
+    EXPECT_TRUE(fs::exists(kSharedData / "scenes") || !is_set("HATCHWAY_REQUIRE_DATA"));
     if (fs::exists(kSharedData / "scenes"))
         for (const auto& entry : fs::directory_iterator(kSharedData / "scenes"))
             if (entry.path().extension() == ".glb") scenes.push_back(entry.path());

@@ -47,6 +47,5 @@ class TemporaryFolder {
 std::string bytes_of(const std::filesystem::path& file);
 
 inline const std::filesystem::path kContent = std::filesystem::path(HATCHWAY_SOURCE_DIR) / "content";
-inline const std::filesystem::path kSharedData = std::filesystem::path(HATCHWAY_SOURCE_DIR) / ".." / "shared" / "data";
 
 }  // namespace hw::test

@@ -7,6 +7,7 @@
 
 #include "hatchway/io/gltf/import.hpp"
 #include "hatchway/walk/player.hpp"
+#include "tests/shared_data.hpp"
 
 namespace {
 
@@ -44,7 +45,7 @@ class WalkableScene : public testing::TestWithParam<Place> {
     void SetUp() override
     {
         const fs::path file = fs::path(HATCHWAY_SOURCE_DIR) / GetParam().file;
-        if (!fs::exists(file)) GTEST_SKIP() << file << " is not here";
+        HATCHWAY_NEEDS_DATA(fs::exists(file), file);
         scene_ = hw::import_gltf(file, file.parent_path());
         world_ = hw::build_collision_world(scene_, {});
     }

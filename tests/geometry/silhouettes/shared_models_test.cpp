@@ -4,6 +4,7 @@
 #include "measure/silhouettes/half_edge_mesh.hpp"
 #include "tests/geometry/glb_meshes.hpp"
 #include "tests/geometry/silhouettes/silhouette_checks.hpp"
+#include "tests/shared_data.hpp"
 
 namespace {
 
@@ -16,7 +17,7 @@ class shared_models : public testing::TestWithParam<const char*> {};
 TEST_P(shared_models, agree_edge_for_edge_with_exact_arithmetic)
 {
     const auto files = shared_glb_files(GetParam());
-    if (files.empty()) GTEST_SKIP() << "the shared measuring data is absent";
+    HATCHWAY_NEEDS_DATA(!files.empty(), "measuring data beside the project");
     for (const auto& file : files) {
         for (const hw::MeshData& mesh : read_glb_meshes(file)) {
             const hw::Surface surface = hw::build_surface(mesh);
@@ -28,7 +29,7 @@ TEST_P(shared_models, agree_edge_for_edge_with_exact_arithmetic)
 TEST_P(shared_models, lose_no_face)
 {
     const auto files = shared_glb_files(GetParam());
-    if (files.empty()) GTEST_SKIP() << "the shared measuring data is absent";
+    HATCHWAY_NEEDS_DATA(!files.empty(), "measuring data beside the project");
     for (const auto& file : files) {
         for (const hw::MeshData& mesh : read_glb_meshes(file)) {
             const hw::Surface surface = hw::build_surface(mesh);

@@ -11,6 +11,7 @@
 #include "hatchway/io/images/png.hpp"
 #include "tests/io/expect_error.hpp"
 #include "tests/io/gltf/model_builder.hpp"
+#include "tests/shared_data.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {
@@ -337,9 +338,8 @@ TEST(gltf_import, the_seam_of_a_mirrored_texture_gets_two_vertices)
 
 TEST(gltf_import, made_tangents_agree_with_those_that_an_exporter_made)
 {
-    const std::filesystem::path file =
-        std::filesystem::path(HATCHWAY_SOURCE_DIR) / "../shared/data/scenes/japanese_temple.glb";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs " << file;
+    const std::filesystem::path file = hw::test::kSharedData / "scenes" / "japanese_temple.glb";
+    HATCHWAY_NEEDS_DATA(std::filesystem::exists(file), file);
     const hw::MeshData stated = hw::import_gltf(file, file.parent_path()).meshes[0];
     ASSERT_FALSE(stated.tangents.empty());
 
@@ -533,8 +533,8 @@ TEST(gltf_import, images_of_materials_that_nothing_uses_are_not_opened)
 
 TEST(gltf_import, every_model_of_the_shared_data_opens)
 {
-    const std::filesystem::path data = std::filesystem::path(HATCHWAY_SOURCE_DIR) / "../shared/data";
-    if (!std::filesystem::exists(data)) GTEST_SKIP() << "needs " << data;
+    const std::filesystem::path data = hw::test::kSharedData;
+    HATCHWAY_NEEDS_DATA(std::filesystem::exists(data), data);
     for (const char* folder : {"scenes", "models", "hard"})
         for (const auto& entry : std::filesystem::directory_iterator(data / folder)) {
             if (entry.path().extension() != ".glb") continue;

@@ -9,6 +9,7 @@
 #include "hatchway/io/gltf/import.hpp"
 #include "tests/io/expect_error.hpp"
 #include "tests/io/gltf/model_builder.hpp"
+#include "tests/shared_data.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {
@@ -338,8 +339,8 @@ bool names_place(const hw::ErrorParts& parts, const std::vector<json>& reasons)
 
 TEST(gltf_malformed, the_validators_corpus_ends_in_two_seconds_a_file_and_errors_name_their_place)
 {
-    const fs::path corpus = fs::path(HATCHWAY_SOURCE_DIR) / "../shared/data/malformed/gltf_validator";
-    if (!fs::exists(corpus)) GTEST_SKIP() << "needs " << corpus;
+    const fs::path corpus = hw::test::kSharedData / "malformed" / "gltf_validator";
+    HATCHWAY_NEEDS_DATA(fs::exists(corpus), corpus);
     int refused = 0;
     for (const auto& entry : fs::directory_iterator(corpus)) {
         const fs::path& file = entry.path();

@@ -1,0 +1,38 @@
+# Read by ctest, not by cmake: asks a test binary for its suites.
+# hatchway_add_suites(NAME BINARY RESULTS LABELS CMAKE): each suite of BINARY is one test, NAME.SUITE, which writes its cases into
+# the folder RESULTS. A binary that is not there is a test that fails, so that nobody takes it for passed.
+function(hatchway_add_suites name binary results labels cmake)
+    if(NOT EXISTS "${binary}")
+        add_test("${name}_is_not_built" "${cmake}" -E cat "${binary}")
+        set_tests_properties("${name}_is_not_built" PROPERTIES LABELS "${labels}")
+        return()
+    endif()
+    execute_process(COMMAND "${binary}" --gtest_list_tests OUTPUT_VARIABLE list RESULT_VARIABLE status TIMEOUT 60)
+    if(NOT status EQUAL 0)
+        add_test("${name}_lists_no_tests" "${binary}" --gtest_list_tests)
+        set_tests_properties("${name}_lists_no_tests" PROPERTIES LABELS "${labels}")
+        return()
+    endif()
+    # "suite." begins a suite; its cases follow, two spaces in. Their parameters, after #, may hold anything.
+    string(REGEX REPLACE "#[^\n]*" "" list "${list}")
+    string(REGEX REPLACE "[][;]" "_" list "${list}")
+    string(REPLACE "\n" ";" list "${list}")
+    set(suites "")
+    foreach(line ${list})
+        if(line MATCHES "^([A-Za-z0-9_/]+)\\. *$")
+            set(suite "${CMAKE_MATCH_1}")
+            list(APPEND suites ${suite})
+            set(cases_of_${suite} 0)
+        elseif(line MATCHES "^  ")
+            math(EXPR cases_of_${suite} "${cases_of_${suite}} + 1")
+        endif()
+    endforeach()
+    foreach(suite ${suites})
+        string(REPLACE "/" "_" file "${suite}")
+        # Five minutes for the slowest case of a suite, and what the others need on a machine that is busy.
+        math(EXPR timeout "300 + 20 * ${cases_of_${suite}}")
+        add_test("${name}.${suite}" "${binary}" "--gtest_filter=${suite}.*" --gtest_brief=1
+                 "--gtest_output=xml:${results}/${name}.${file}.xml")
+        set_tests_properties("${name}.${suite}" PROPERTIES LABELS "${labels}" TIMEOUT ${timeout})
+    endforeach()
+endfunction()
