@@ -33,10 +33,10 @@ struct MapPaths {
     std::map<MapKind, std::string>& paths;
 };
 
-struct HeightRamp {
+struct HeightKeys {
     Ramp ramp;
 };
-struct TimeRamp {
+struct TimeKeys {
     Ramp ramp;
 };
 
@@ -75,14 +75,14 @@ void visit_keys(Visitor& v, CameraPath& path)
 }
 
 template <typename Visitor>
-void visit_keys(Visitor& v, HeightRamp& ramp)
+void visit_keys(Visitor& v, HeightKeys& ramp)
 {
     v.real({"from_m", "World height where the field is 0.", true}, kMetres, ramp.ramp.from);
     v.real({"to_m", "World height where it has risen; may be the lower one.", true}, kMetres, ramp.ramp.to);
 }
 
 template <typename Visitor>
-void visit_keys(Visitor& v, TimeRamp& ramp)
+void visit_keys(Visitor& v, TimeKeys& ramp)
 {
     v.real({"from_s", "Time where the field starts to rise.", true}, kSeconds, ramp.ramp.from);
     v.real({"to_s", "Time where it has risen.", true}, kSeconds, ramp.ramp.to);
@@ -91,8 +91,8 @@ void visit_keys(Visitor& v, TimeRamp& ramp)
 template <typename Visitor>
 void visit_keys(Visitor& v, PresenceField& field)
 {
-    HeightRamp height;
-    TimeRamp time;
+    HeightKeys height;
+    TimeKeys time;
     v.real({"constant", "How much of the style shows, everywhere."}, kFraction, field.constant);
     if (v.object({"height", "A ramp over world height."}, height)) field.height = height.ramp;
     if (v.object({"time", "A ramp over time."}, time)) field.time = time.ramp;
