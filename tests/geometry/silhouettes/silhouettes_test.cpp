@@ -157,6 +157,10 @@ TEST(silhouettes, are_exact_at_every_offset_and_scale)
         for (const float scale : {1e-6f, 1.0f, 1e6f}) {
             const glm::mat4 matrix = glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(offset)), glm::vec3(scale));
             const hw::Surface surface = hw::build_surface(moved(torus(24, 12), matrix), {.cluster_from_faces = 1});
+            // Of a torus of two micrometres a kilometre away, floats leave one point.
+            const bool is_one_point = scale == 1e-6f && offset > 0.0f;
+            ASSERT_EQ(surface.faces.empty(), is_one_point);
+            if (is_one_point) continue;
             EXPECT_EQ(wrong_edges_in_all_views(surface), 0u) << "offset " << offset << ", scale " << scale;
         }
     }
