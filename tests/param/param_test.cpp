@@ -108,7 +108,7 @@ TEST(param_reader, a_choice_is_an_enum_by_the_names_of_its_values)
 
 TEST(param_reader, an_image_of_a_level_lies_inside_of_its_project_and_is_there)
 {
-    const hw::TemporaryFolder folder;
+    const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path() / "project/levels");
     std::ofstream(folder.path() / "project/grain.png") << "png";
     std::ofstream(folder.path() / "outside.png") << "png";

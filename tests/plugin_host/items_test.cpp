@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hatchway/gl/context.hpp"
+#include "hatchway/gl/headless_context.hpp"
 #include "hatchway/plugin_host/style_set.hpp"
 #include "hatchway/render/renderer.hpp"
 #include "hatchway/render/view/camera_view.hpp"
