@@ -61,8 +61,8 @@ function(hatchway_test name)
     add_executable(test_${name} ${TEST_SOURCES})
     target_link_libraries(test_${name} PRIVATE hatchway_flags hatchway hatchway_measure GTest::gtest_main GTest::gmock
                           ${TEST_LIBRARIES})
-    # Checks of results gain nothing from -O3, and its inlining makes GCC 12 see writes past the ends of strings.
-    target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    # Checks of results gain nothing from -O3. GCC 12 sees writes past the ends of strings where there are none.
+    target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-array-bounds -Wno-stringop-overflow)
     target_compile_definitions(test_${name} PRIVATE
         HATCHWAY_SOURCE_DIR="${CMAKE_SOURCE_DIR}" HATCHWAY_BUILD_DIR="${CMAKE_BINARY_DIR}")
     target_include_directories(test_${name} PRIVATE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/editor_tools")
