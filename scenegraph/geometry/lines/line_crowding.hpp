@@ -83,7 +83,7 @@ std::array<glm::vec4, 2> crowding_of_line(const glm::vec4& at_a, const glm::vec4
 /// The share of its width that a line is drawn with where `windows` is how wide a window is on the object, over
 /// LineCrowding::window(): however many lines there are, they get as much ink as the most that are drawn in full. In
 /// (0, 1], falling with the distance; for windows larger than the largest it falls as if the object went on for ever.
-/// shaders/line.glsl does the same.
+/// shaders/lines/line_width.glsl does the same.
 float crowded_share(const glm::vec4& crowding, float windows);
 
 /// Of parallel lines on a face that is seen from the front, how far apart they are in windows when all are just drawn
