@@ -13,7 +13,7 @@ namespace hw {
 struct InkLook {
     HatchSource hatch_source = HatchSource::model;
     float spacing_px = 4.5f, stroke_width_px = 0.8f, stroke_length_px = 170.0f, wobble_px = 0.4f;
-    float hatch_rad = glm::radians(52.0f), cross_rad = glm::radians(70.0f);
+    float hatch_deg = 52.0f, cross_deg = 70.0f;  ///< Degrees: their sum is a direction, and 52 + 70 is exact.
     float darkness = 0.66f, white_from = 0.72f, shadow_below = 0.26f;
     float material_tone = 0.1f, light_response = 1.0f;
     glm::vec3 hatch_colour{0.24f, 0.22f, 0.21f}, uncertain_colour{1.0f};
@@ -40,8 +40,8 @@ inline void InkLook::visit_params(ParamVisitor& visitor)
                     "cylinder, or the direction of strongest curvature.",
                     ParamChange::rebuild},
                    hatch_source, kSources);
-    visitor.angle({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_rad, -90.0f, 90.0f);
-    visitor.angle({"cross_deg", "From the first direction to the one that crosses it."}, cross_rad, 10.0f, 90.0f);
+    visitor.real({"hatch_deg", "Direction of the first hatching; 0 is level on walls."}, hatch_deg, -90.0f, 90.0f);
+    visitor.real({"cross_deg", "From the first direction to the one that crosses it."}, cross_deg, 10.0f, 90.0f);
     visitor.real({"stroke_length_px", "Mean length of strokes; 0 rules endless lines."}, stroke_length_px, 0.0f,
                  1000.0f);
     visitor.real({"wobble_px", "How far a stroke strays sideways."}, wobble_px, 0.0f, 4.0f);
@@ -73,9 +73,11 @@ inline void InkLook::add_needs(Needs& needs) const
 
 inline void InkLook::set_uniforms(Uniforms& uniforms, const glm::vec3& paper) const
 {
-    const auto direction = [](float angle_rad) { return glm::vec2(std::cos(angle_rad), std::sin(angle_rad)); };
+    const auto direction = [](float angle_deg) {
+        return glm::vec2(std::cos(glm::radians(angle_deg)), std::sin(glm::radians(angle_deg)));
+    };
     uniforms.set("hatch_size_px", glm::vec4(spacing_px, stroke_width_px, stroke_length_px, wobble_px))
-        .set("hatch_directions", glm::vec4(direction(hatch_rad), direction(hatch_rad + cross_rad)))
+        .set("hatch_directions", glm::vec4(direction(hatch_deg), direction(hatch_deg + cross_deg)))
         .set("tone_range", glm::vec4(darkness, white_from, shadow_below, material_tone))
         .set("paper_colour", linear_colour(paper))
         .set("ink_colour", linear_colour(hatch_colour))
