@@ -64,12 +64,12 @@ TEST(make_style, a_missing_plugin_lists_those_there_are)
     EXPECT_THAT(
         refusal([] { made("pencil"); }),
         HasSubstr("hall.level.json: /styles/assumed: there is no style plugin \"pencil\"; expected one of: hybrid, "
-                  "pen_and_ink, photoreal"));
+                  "makes_up_items, pen_and_ink, photoreal"));
 }
 
 TEST(make_style, a_refused_plugin_says_why)
 {
-    EXPECT_THAT(refusal([] { made("old_version"); }), HasSubstr("cannot be used: it was built for version 0"));
+    EXPECT_THAT(refusal([] { made("old_version"); }), HasSubstr("cannot be used: it was written for version 1"));
 }
 
 TEST(make_style, an_unknown_parameter_lists_those_there_are)
