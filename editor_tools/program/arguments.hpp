@@ -20,14 +20,14 @@ struct LevelArguments {
     std::vector<std::filesystem::path> plugin_dirs;
     bool without_pvs = false;
     bool without_baked_light = false;
-    std::filesystem::path cache;  ///< Where compiled levels are kept; empty: beside the level, or nowhere.
+    std::filesystem::path cache;  ///< Where compiled levels are kept; empty: in the user's own, or nowhere.
     bool without_cache = false;
 };
 
 /// What a command does with compiled levels where --cache does not say.
 enum class CompiledUse : unsigned char {
     anew,    ///< Compiles, and keeps nothing.
-    reused,  ///< Takes what lies beside the level, or leaves it there.
+    reused,  ///< Takes what is in the user's cache folder, or leaves it there.
 };
 
 void add_level_arguments(CommandLine command, LevelArguments& arguments);

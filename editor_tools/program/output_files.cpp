@@ -7,6 +7,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/folder_handle.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -21,6 +22,8 @@ fs::path one_spelling(const fs::path& file)
     if (failed) spelling = file.lexically_normal();
     return spelling.has_filename() ? spelling : spelling.parent_path();
 }
+
+constexpr unsigned kFolderMode = 0777;  // less what the process's mask takes
 
 fs::path without_last_slash(const fs::path& folder)
 {
@@ -46,7 +49,7 @@ void require_writable(const fs::path& file, const std::string& option)
     // Files are replaced by renaming, so the folder's permission decides.
     require_folder(file.parent_path(), option);
     std::error_code failed;
-    if (fs::is_directory(file, failed))
+    if (fs::is_directory(fs::symlink_status(file, failed)))  // a link to one is replaced
         throw Error(
             {.what = option + ": is a folder", .file = file.string(), .expected = "a file that can be written"});
 }
@@ -54,10 +57,12 @@ void require_writable(const fs::path& file, const std::string& option)
 void require_writable_folder(const fs::path& folder, const std::string& option)
 {
     std::error_code failed;
-    if (fs::is_directory(folder, failed)) return require_folder(folder, option);
-    if (fs::exists(fs::symlink_status(folder, failed)))
-        throw Error(
-            {.what = option + ": is no folder", .file = folder.string(), .expected = "a folder, or a new name"});
+    const fs::file_status status = fs::symlink_status(without_last_slash(folder), failed);
+    if (fs::is_directory(status)) return require_folder(folder, option);
+    if (fs::exists(status))
+        throw Error({.what = option + (fs::is_symlink(status) ? ": is a link" : ": is no folder"),
+                     .file = folder.string(),
+                     .expected = "a folder, or a new name"});
     require_folder(without_last_slash(folder).parent_path(), option);
 }
 
@@ -96,9 +101,10 @@ bool is_in_folder(const fs::path& file, const fs::path& folder)
 
 void make_folder(const fs::path& folder)
 {
-    std::error_code failed;
-    fs::create_directory(without_last_slash(folder), failed);
-    if (failed) throw Error({.what = "the folder cannot be made: " + failed.message(), .file = folder.string()});
+    std::error_code missing;
+    const fs::path place = without_last_slash(folder);
+    if (fs::is_directory(fs::symlink_status(place, missing))) return;
+    FolderHandle(place.parent_path()).made_folder(place.filename().string(), kFolderMode);
 }
 
 }  // namespace hw

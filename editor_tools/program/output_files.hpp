@@ -12,14 +12,15 @@ struct OutputFile {
     std::filesystem::path file;
 };
 
-/// Throws hw::Error unless a file of that name can be written: its folder is there and lets us, and it is no folder.
-/// Writes nothing. An empty name is fine.
+/// Throws hw::Error unless a file of that name can be written: its folder is there and lets us, and it is no folder. A
+/// link is fine, it will be replaced. Writes nothing. An empty name is fine.
 void require_writable(const std::filesystem::path& file, const std::string& option);
 
 /// Throws hw::Error unless files can be written into a folder that is there. An empty name is the working folder.
 void require_folder(const std::filesystem::path& folder, const std::string& option);
 
-/// The same for a folder that may be new: it is there, or its parent is.
+/// The same for a folder that may be new: it is there, or its parent is. A link to a folder is refused, since what is
+/// written must not end up elsewhere.
 void require_writable_folder(const std::filesystem::path& folder, const std::string& option);
 
 /// Throws hw::Error when an output is one of the inputs, symbolic links followed, or two outputs are the same file.

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
-#include <iostream>
 #include <map>
 #include <thread>
 
@@ -14,6 +13,7 @@
 #include "hatchway/core/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "program/commands.hpp"
 #include "report/figures_in_text.hpp"
 #include "report/report_page.hpp"
@@ -97,7 +97,7 @@ void fill_pages(const fs::path& pages, const fs::path& report)
 void write_report(const ReportArguments& arguments)
 {
     std::error_code missing;
-    if (!fs::is_directory(arguments.out, missing))
+    if (!fs::is_directory(fs::symlink_status(arguments.out, missing)))
         throw Error(
             {.what = "is no folder", .file = arguments.out.string(), .expected = "an existing folder for --out"});
     if (!arguments.pages.empty() && !fs::is_directory(arguments.pages, missing))
@@ -118,7 +118,7 @@ void write_report(const ReportArguments& arguments)
     const fs::path page = arguments.out / "index.html";
     write_file_atomically(page, report_page(origin, sections));
     if (!arguments.pages.empty()) fill_pages(arguments.pages, arguments.out);
-    std::cout << page.string() << '\n';
+    print_line(page.string());
 }
 
 }  // namespace

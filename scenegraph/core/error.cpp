@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "hatchway/core/plain_text.hpp"
+
 namespace hw {
 namespace {
 
@@ -30,32 +32,13 @@ std::string shortened(std::string_view text, std::size_t most)
     return std::string(text.substr(0, head)) + "..." + std::string(text.substr(tail));
 }
 
-/// The text with what a terminal would obey written out: "\\n", "\\x1b". One of C1 is 0xc2 and 0x80 to 0x9f in UTF-8.
-std::string without_controls(std::string_view text)
-{
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool is_c1 = byte == 0xc2 && i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) >> 5) == 4;
-        if (byte >= 0x20 && byte != 0x7f && !is_c1) {
-            result += text[i];
-            continue;
-        }
-        if (is_c1) ++i;
-        char escaped[8];
-        std::snprintf(escaped, sizeof escaped, "\\x%02x", static_cast<unsigned char>(text[i]));
-        result += text[i] == '\n' ? "\\n" : text[i] == '\t' ? "\\t" : escaped;
-    }
-    return result;
-}
-
 /// A part in one line, each of its words and itself shortened.
 std::string one_line(std::string_view text)
 {
     std::string result;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find(' ', begin), text.size());
-        result += without_controls(shortened(text.substr(begin, end - begin), kMostOfWord));
+        result += plain_text(shortened(text.substr(begin, end - begin), kMostOfWord));
         if (end < text.size()) result += ' ';
         begin = end + 1;
     }
@@ -65,7 +48,7 @@ std::string one_line(std::string_view text)
 std::string message_of(const ErrorParts& parts)
 {
     std::string message;
-    if (!parts.file.empty()) message += without_controls(shortened(parts.file, kMostOfPath)) + ": ";
+    if (!parts.file.empty()) message += plain_text(shortened(parts.file, kMostOfPath)) + ": ";
     if (!parts.pointer.empty()) message += one_line(parts.pointer) + ": ";
     message += one_line(parts.what);
     if (!parts.expected.empty()) message += "; expected " + one_line(parts.expected);

@@ -5,32 +5,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <mutex>
 #include <set>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/folder_handle.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
 namespace {
-
-class FileDescriptor {
- public:
-    explicit FileDescriptor(int value) : value_(value) {}
-    ~FileDescriptor()
-    {
-        if (value_ >= 0) ::close(value_);
-    }
-    FileDescriptor(const FileDescriptor&) = delete;
-    FileDescriptor& operator=(const FileDescriptor&) = delete;
-    int value() const { return value_; }
-
- private:
-    int value_;
-};
 
 [[noreturn]] void throw_system_error(const fs::path& path, const std::string& doing)
 {
@@ -69,11 +54,8 @@ void note_as_read(const fs::path& path)
 }
 
 template <typename Bytes>
-Bytes read_into(const fs::path& path, std::uint64_t max_bytes)
+Bytes read_opened(const Descriptor& file, const fs::path& path, std::uint64_t max_bytes)
 {
-    // O_NONBLOCK: opening a FIFO must not wait for its writer.
-    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (file.value() < 0) throw_system_error(path, "cannot open");
     note_as_read(path);
     Bytes bytes;
     bytes.resize(size_of_regular_file(file.value(), path, max_bytes));
@@ -89,50 +71,13 @@ Bytes read_into(const fs::path& path, std::uint64_t max_bytes)
     return bytes;
 }
 
-fs::path temporary_name_beside(const fs::path& path)
+template <typename Bytes>
+Bytes read_into(const fs::path& path, std::uint64_t max_bytes)
 {
-    static std::atomic<unsigned> counter{0};
-    fs::path name = path;
-    name += ".tmp" + std::to_string(::getpid()) + "_" + std::to_string(counter++);
-    return name;
-}
-
-/// Where the bytes of a link belong: at its end, which need not exist yet.
-fs::path behind_links(fs::path path)
-{
-    constexpr int kMostLinks = 40;
-    std::error_code failed;
-    for (int i = 0; i < kMostLinks && fs::is_symlink(path, failed); ++i)
-        path = path.parent_path() / fs::read_symlink(path, failed);
-    return path;
-}
-
-/// The mode that a file gets which replaces `target`. Throws when that must not be replaced: a rename asks the folder
-/// alone, not the file.
-mode_t mode_for(const fs::path& target, const fs::path& named)
-{
-    struct stat status = {};
-    if (::stat(target.c_str(), &status) != 0) {
-        if (errno != ENOENT) throw_system_error(named, "cannot write");
-        return 0;
-    }
-    if (!S_ISREG(status.st_mode)) throw Error({.what = "cannot write: is not a regular file", .file = named.string()});
-    const bool is_protected = (status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
-    if (is_protected || ::access(target.c_str(), W_OK) != 0)
-        throw Error({.what = "cannot write: is write-protected", .file = named.string()});
-    return status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
-}
-
-bool write_all(int descriptor, std::span<const std::byte> bytes)
-{
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return false;
-        done += static_cast<std::size_t>(count);
-    }
-    return true;
+    // O_NONBLOCK: opening a FIFO must not wait for its writer.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.is_open()) throw_system_error(path, "cannot open");
+    return read_opened<Bytes>(file, path, max_bytes);
 }
 
 bool is_inside(const fs::path& root, const fs::path& path)
@@ -141,16 +86,16 @@ bool is_inside(const fs::path& root, const fs::path& path)
     return root_end == root.end() || (root_end->empty() && std::next(root_end) == root.end());
 }
 
-/// Whether a part of the path is a link: in a weakly canonical one, a link that leads nowhere yet.
-bool has_link(const fs::path& path)
+/// The first part of `path` below `root` that is a link; empty when there is none.
+fs::path link_below(const fs::path& root, const fs::path& path)
 {
-    fs::path part;
+    fs::path part = root;
     std::error_code missing;
-    for (const fs::path& name : path) {
+    for (const fs::path& name : path.lexically_relative(root)) {
         part /= name;
-        if (fs::is_symlink(fs::symlink_status(part, missing))) return true;
+        if (fs::is_symlink(fs::symlink_status(part, missing))) return part;
     }
-    return false;
+    return {};
 }
 
 }  // namespace
@@ -172,22 +117,14 @@ std::vector<fs::path> files_read()
     return {files.paths.begin(), files.paths.end()};
 }
 
+std::vector<std::byte> read_open_file(const Descriptor& file, const fs::path& path, std::uint64_t max_bytes)
+{
+    return read_opened<std::vector<std::byte>>(file, path, max_bytes);
+}
+
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes)
 {
-    const fs::path target = behind_links(path);
-    const mode_t mode = mode_for(target, path);
-    const fs::path temporary = temporary_name_beside(target);
-    bool is_written = false;
-    {
-        const FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-        if (file.value() < 0) throw_system_error(path, "cannot write");
-        is_written = (mode == 0 || ::fchmod(file.value(), mode) == 0) && write_all(file.value(), bytes);
-    }
-    if (is_written && ::rename(temporary.c_str(), target.c_str()) == 0) return;
-    const int reason = errno;
-    ::unlink(temporary.c_str());
-    errno = reason;
-    throw_system_error(path, "cannot write");
+    FolderHandle(path.parent_path()).write(path.filename().string(), bytes);
 }
 
 void write_file_atomically(const fs::path& path, std::string_view text)
@@ -209,10 +146,12 @@ fs::path resolve_inside(const fs::path& root, const fs::path& base, std::string_
     if (wanted.is_absolute()) throw refuse("is absolute");
     std::error_code failed;
     const fs::path real_root = fs::weakly_canonical(root, failed);
-    const fs::path resolved = fs::weakly_canonical(base / wanted, failed);
+    fs::path resolved = (fs::weakly_canonical(base.empty() ? "." : base, failed) / wanted).lexically_normal();
     if (failed) throw refuse("cannot be resolved");
+    if (!resolved.has_filename()) resolved = resolved.parent_path();
     if (!is_inside(real_root, resolved)) throw refuse("leaves the project");
-    if (has_link(resolved)) throw refuse("is a link that leads nowhere");
+    if (const fs::path link = link_below(real_root, resolved); !link.empty())
+        throw refuse("goes through the link " + link.string());
     return resolved;
 }
 

@@ -3,6 +3,8 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "hatchway/core/plain_text.hpp"
+
 namespace hw {
 namespace {
 
@@ -28,19 +30,19 @@ void set_log_level(LogLevel level)
 
 void log_debug(std::string_view message)
 {
-    logger().debug("{}", message);
+    logger().debug("{}", plain_text(message));
 }
 void log_info(std::string_view message)
 {
-    logger().info("{}", message);
+    logger().info("{}", plain_text(message));
 }
 void log_warning(std::string_view message)
 {
-    logger().warn("{}", message);
+    logger().warn("{}", plain_text(message));
 }
 void log_error(std::string_view message)
 {
-    logger().error("{}", message);
+    logger().error("{}", plain_text(message));
 }
 
 }  // namespace hw

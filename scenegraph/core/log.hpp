@@ -10,7 +10,7 @@ enum class LogLevel : unsigned char { debug, info, warning, error, off };
 /// Messages below `level` are dropped. The default is LogLevel::info.
 void set_log_level(LogLevel level);
 
-/// Writes one line to stderr. Results never go here, they go to stdout. Thread safe.
+/// Writes one line to stderr, as plain_text(). Results never go here, they go to stdout. Thread safe.
 void log_debug(std::string_view message);
 void log_info(std::string_view message);
 void log_warning(std::string_view message);

@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <utility>
 
+#include "hatchway/core/plain_text.hpp"
+
 namespace hw {
 
 Progress::Progress(std::string title, std::uint64_t steps)
-    : title_(std::move(title)),
+    : title_(plain_text(title)),
       steps_(std::max<std::uint64_t>(steps, 1)),
       start_(std::chrono::steady_clock::now()),
       is_terminal_(isatty(STDERR_FILENO) == 1)

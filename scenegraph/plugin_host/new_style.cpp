@@ -7,6 +7,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/folder_draft.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/plugin_host/plugin_registry.hpp"
 
@@ -59,7 +60,7 @@ std::vector<fs::path> write_new_style(const std::string& name, const fs::path& p
     refuse_bad_name(name);
     const fs::path folder = parent / name;
     std::error_code failed;
-    if (fs::exists(folder, failed))
+    if (fs::exists(fs::symlink_status(folder, failed)))
         throw Error({.what = "there is already something of that name", .file = folder.string()});
 
     const fs::path templates = installation_prefix() / "share" / "hatchway" / "new_style";
@@ -67,15 +68,15 @@ std::vector<fs::path> write_new_style(const std::string& name, const fs::path& p
     for (const TemplateFile& file : kFiles) {
         std::string text = read_text_file(templates / file.from, limits::kMaxShaderBytes);
         text = replaced(replaced(std::move(text), "@Type@", type_name(name)), "@name@", name);
-        files.emplace_back(folder / replaced(file.to, "@name@", name), std::move(text));
+        files.emplace_back(replaced(file.to, "@name@", name), std::move(text));
     }
-    fs::create_directories(folder, failed);
-    if (failed) throw Error({.what = "the folder cannot be made: " + failed.message(), .file = folder.string()});
+    FolderDraft draft(folder);
     std::vector<fs::path> written;
-    for (const auto& [path, text] : files) {
-        write_file_atomically(path, text);
-        written.push_back(path);
+    for (const auto& [file, text] : files) {
+        write_file_atomically(draft.path() / file, text);
+        written.push_back(folder / file);
     }
+    draft.put_new();
     return written;
 }
 

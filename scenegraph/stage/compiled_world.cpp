@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/progress.hpp"
+#include "hatchway/core/user_folders.hpp"
 #include "hatchway/io/compiled/key.hpp"
+#include "hatchway/io/compiled/write.hpp"
 #include "hatchway/stage/level_world.hpp"
 
 namespace hw {
 namespace {
+
+constexpr unsigned kPrivate = 0700;
 
 /// A bar that only grows: rounds of the portal flow each begin anew.
 class CompileProgress {
@@ -30,27 +35,36 @@ class CompileProgress {
     Progress bar_{"Compiling", 100};
 };
 
-void keep(const std::filesystem::path& file, const CompiledLevel& compiled, const LevelWorld& world)
+/// Where it is kept; nothing when it cannot be, which a message says.
+std::optional<FolderHandle> opened(const CompiledCache& cache)
 {
     try {
-        keep_compiled_level(file, compiled, world.chunks);
+        return opened_cache(cache);
     } catch (const Error& error) {
-        log_info(std::string(error.what()) +
-                 ": the compiled level is not kept there; --cache FOLDER keeps it elsewhere");
+        log_info(std::string(error.what()) + ": the compiled level is not kept; --cache FOLDER keeps it elsewhere");
+        return std::nullopt;
     }
 }
 
-std::filesystem::path place_of(const Level& level, const CompiledCache& cache)
+void keep(const FolderHandle& cache, const Level& level, const CompiledLevel& compiled, const LevelWorld& world)
 {
     try {
-        return compiled_level_path(level, cache.folder);
+        cache.write(compiled_level_name(level), compiled_level_bytes(compiled, world.chunks));
     } catch (const Error& error) {
-        log_warning(std::string(error.what()) + ": the compiled level is not kept");
-        return {};
+        log_info(std::string(error.what()) + ": the compiled level is not kept; --cache FOLDER keeps it elsewhere");
     }
 }
 
 }  // namespace
+
+FolderHandle opened_cache(const CompiledCache& cache)
+{
+    if (cache.folder.empty()) return user_cache_folder();
+    const std::filesystem::path folder = cache.folder.has_filename() ? cache.folder : cache.folder.parent_path();
+    const std::string name = folder.filename().string();
+    if (name == "." || name == "..") return FolderHandle(folder);
+    return FolderHandle(folder.parent_path()).made_folder(name, kPrivate);
+}
 
 CompiledLevel compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options)
 {
@@ -69,13 +83,14 @@ CompiledLevel compile_world(const Level& level, const LevelWorld& world, const V
 CompiledLevel find_or_compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options,
                                     const CompiledCache& cache)
 {
-    const std::filesystem::path file = place_of(level, cache);
-    if (file.empty()) return compile_world(level, world, options);
+    const std::optional<FolderHandle> folder = opened(cache);
+    if (!folder) return compile_world(level, world, options);
     const std::uint64_t key = compiled_level_key(world.scene, level, options);
-    if (auto found = find_compiled_level(file, key, options.effort, world.scene, world.chunks))
+    if (auto found =
+            find_compiled_level(*folder, compiled_level_name(level), key, options.effort, world.scene, world.chunks))
         return std::move(*found);
     CompiledLevel compiled = compile_world(level, world, options);
-    keep(file, compiled, world);
+    keep(*folder, level, compiled, world);
     return compiled;
 }
 

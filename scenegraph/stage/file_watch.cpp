@@ -11,29 +11,16 @@ namespace {
 
 constexpr std::uint64_t kMissing = 0;
 
-std::uint64_t stamp_of_file(const fs::path& file)
-{
-    std::error_code failed;
-    const auto time = fs::last_write_time(file, failed);
-    const std::uint64_t size = failed ? 0 : fs::file_size(file, failed);
-    if (failed) return kMissing;
-    const std::array<std::uint64_t, 2> facts{static_cast<std::uint64_t>(time.time_since_epoch().count()), size};
-    return hash_bytes(std::as_bytes(std::span(facts)));
-}
-
-/// Of a folder: the sum over its files, since their order is nobody's promise.
+/// Nothing below a folder is looked at: a tree that a stranger made may have no end.
 std::uint64_t stamp_of(const fs::path& path)
 {
     std::error_code failed;
-    if (!fs::is_directory(path, failed)) return stamp_of_file(path);
-    std::uint64_t sum = 1;
-    fs::recursive_directory_iterator entry(path, fs::directory_options::follow_directory_symlink, failed);
-    for (; !failed && entry != fs::recursive_directory_iterator(); entry.increment(failed)) {
-        const std::string name = entry->path().string();
-        if (entry->is_regular_file(failed))
-            sum += hash_bytes(std::as_bytes(std::span(name)), stamp_of_file(entry->path()));
-    }
-    return sum;
+    const auto time = fs::last_write_time(path, failed);
+    if (failed) return kMissing;
+    const std::uint64_t size = fs::is_directory(path, failed) ? 0 : fs::file_size(path, failed);
+    if (failed) return kMissing;
+    const std::array<std::uint64_t, 2> facts{static_cast<std::uint64_t>(time.time_since_epoch().count()), size};
+    return hash_bytes(std::as_bytes(std::span(facts)));
 }
 
 }  // namespace

@@ -8,8 +8,9 @@
 
 namespace hw {
 
-/// Tells which files and folders changed since it last looked, by time stamp and size; symbolic links are followed. A
-/// file that is gone for a moment, as when an editor saves by renaming, counts as changed once it is back.
+/// Tells which files changed since it last looked, by time stamp and size, and in which folders names came or went; no
+/// folder is read. A file that is gone for a moment, as when an editor saves by renaming, counts as changed once it is
+/// back.
 class FileWatch {
  public:
     /// Looks at most once in this time.
@@ -18,7 +19,7 @@ class FileWatch {
     /// Watches these and no others. What was watched before keeps its known state.
     void watch(const std::vector<std::filesystem::path>& paths);
 
-    /// The watched paths that changed: files themselves, folders when anything below them did.
+    /// The watched paths that changed.
     std::vector<std::filesystem::path> changed();
 
  private:

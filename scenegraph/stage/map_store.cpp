@@ -70,7 +70,7 @@ std::vector<std::string> MapStore::read_again()
     for (Entry& entry : entries_) {
         try {
             *entry.map = read_map(entry.folder);
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             messages.emplace_back(error.what());
         }
     }

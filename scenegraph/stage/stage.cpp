@@ -1,6 +1,7 @@
 #include "hatchway/stage/stage.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "hatchway/core/error.hpp"
@@ -12,10 +13,14 @@
 namespace hw {
 namespace {
 
-bool have_common(const std::vector<std::filesystem::path>& paths, const std::vector<std::filesystem::path>& others)
+/// Whether the file lies in one of the folders or below, links followed: a folder may be named by one.
+bool is_below(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders)
 {
-    return std::any_of(paths.begin(), paths.end(), [&](const std::filesystem::path& path) {
-        return std::find(others.begin(), others.end(), path) != others.end();
+    std::error_code failed;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(file, failed);
+    return std::ranges::any_of(folders, [&](const std::filesystem::path& folder) {
+        const std::filesystem::path root = std::filesystem::weakly_canonical(folder, failed);
+        return std::mismatch(root.begin(), root.end(), place.begin(), place.end()).first == root.end();
     });
 }
 
@@ -124,12 +129,27 @@ void Stage::set_extra_rules(std::vector<AssignRule> rules)
 
 void Stage::watch_files()
 {
-    std::vector<std::filesystem::path> paths = maps_.folders();
-    paths.push_back(options_.file);
-    paths.push_back(shown_.level.scene_file);
-    if (options_.baked_light == BakedLight::if_there) paths.push_back(lightmap_path(options_.file));
-    for (const std::filesystem::path& folder : shader_folders()) paths.push_back(folder);
+    watched_.clear();
+    for (const std::filesystem::path& file : files_read())
+        if (const std::optional<Part> part = part_of(file)) watched_[file] = *part;
+    // Files may be missing now, and found in a folder later.
+    for (const std::filesystem::path& folder : maps_.folders()) watched_[folder] = Part::maps;
+    for (const std::filesystem::path& folder : shader_folders()) watched_[folder] = Part::shaders;
+    watched_[options_.file] = Part::level;
+    watched_[shown_.level.scene_file] = Part::model;
+    if (options_.baked_light == BakedLight::if_there) watched_[lightmap_path(options_.file)] = Part::model;
+    std::vector<std::filesystem::path> paths;
+    for (const auto& [path, part] : watched_) paths.push_back(path);
     watch_.watch(paths);
+}
+
+std::optional<Stage::Part> Stage::part_of(const std::filesystem::path& file_read) const
+{
+    if (is_below(file_read, {options_.file})) return Part::level;
+    if (is_below(file_read, maps_.folders())) return Part::maps;
+    if (is_below(file_read, shader_folders())) return Part::shaders;
+    if (is_below(file_read, {lightmap_path(options_.file)})) return std::nullopt;  // watched only if it is wanted
+    return is_below(file_read, {shown_.level.project_root}) ? std::optional(Part::model) : std::nullopt;
 }
 
 std::vector<std::filesystem::path> Stage::shader_folders() const
@@ -142,14 +162,15 @@ std::vector<std::filesystem::path> Stage::shader_folders() const
 
 Reload Stage::reload_changed()
 {
-    const std::vector<std::filesystem::path> changed = watch_.changed();
+    std::set<Part> changed;
+    for (const std::filesystem::path& path : watch_.changed()) changed.insert(watched_.at(path));
     if (changed.empty()) return Reload::nothing;
 
-    const bool is_model_changed = have_common(changed, {shown_.level.scene_file, lightmap_path(options_.file)});
-    const bool is_level_changed = is_model_changed || have_common(changed, {options_.file});
-    Reload result = is_level_changed ? reload_level(is_model_changed) : Reload::looks;
-    if (have_common(changed, shader_folders())) reload_shaders();
-    if (have_common(changed, maps_.folders())) reload_maps();
+    const bool is_model_changed = changed.contains(Part::model);
+    Reload result = Reload::looks;
+    if (is_model_changed || changed.contains(Part::level)) result = reload_level(is_model_changed);
+    if (changed.contains(Part::shaders)) reload_shaders();
+    if (changed.contains(Part::maps)) reload_maps();
     watch_files();
     return result;
 }
@@ -165,12 +186,12 @@ Reload Stage::reload_level(bool is_model_changed)
         auto world = is_new_world ? world_of(level) : shown_.world;
         show(with_looks(std::move(level), std::move(world), extra_rules_), false);
         return is_new_world ? Reload::world : Reload::looks;
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         problems.emplace_back(error.what());
     }
     try {
         styles_.set_level(shown_.level);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         problems.emplace_back(error.what());
     }
     return Reload::nothing;
@@ -182,7 +203,7 @@ void Stage::reload_shaders()
     problems.clear();
     try {
         renderer_.reload_shaders();
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         problems.emplace_back(error.what());
     }
     const std::vector<std::string> failed = styles_.prepare_again();

@@ -65,7 +65,8 @@ class Stage {
     std::vector<std::string> messages() const;
 
  private:
-    enum class Part : unsigned char { level, maps, shaders };
+    /// What a file on disk is to the level.
+    enum class Part : unsigned char { level, model, maps, shaders };
 
     /// What the renderer shows.
     struct Shown {
@@ -83,6 +84,7 @@ class Stage {
     void show(Shown next, bool has_new_looks_only);
     void load();
     void watch_files();
+    std::optional<Part> part_of(const std::filesystem::path& file_read) const;
     std::vector<std::filesystem::path> shader_folders() const;
     Reload reload_level(bool is_model_changed);
     void reload_maps();
@@ -98,6 +100,7 @@ class Stage {
     std::size_t loaded_map_count_ = 0;
     std::vector<AssignRule> extra_rules_;
     FileWatch watch_;
+    std::map<std::filesystem::path, Part> watched_;
     std::map<Part, std::vector<std::string>> problems_;
 };
 

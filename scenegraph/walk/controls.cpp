@@ -158,7 +158,7 @@ const std::vector<KeyHelp>& key_help()
         {"Tab, Shift+Tab", "next or previous style of the object under the cross-hair"},
         {"Ctrl+Z, Ctrl+Y", "undo, redo (also Ctrl+Shift+Z)"},
         {"Ctrl+S", "save the styles into the level file"},
-        {"F12", "save this picture"},
+        {"F12", "save this picture beside the level"},
         {"F3", "statistics"},
         {"F1 or H", "this help"},
         {"Ctrl+Q", "quit; Q does while the mouse is free"},

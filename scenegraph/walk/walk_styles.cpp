@@ -4,6 +4,8 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/limits.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/edit.hpp"
 #include "hatchway/io/level/file.hpp"
@@ -41,7 +43,67 @@ JsonValue first_assignments(const std::vector<std::string>& style_overrides)
     return assign;
 }
 
+/// The text of a level file; empty for a bare model, and while an editor replaces the file.
+std::string text_of(const Level& level)
+{
+    try {
+        return is_level_file(level.file) ? read_text_file(level.file, limits::kMaxLevelFileBytes) : "";
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+JsonValue level_json(const fs::path& scene)
+{
+    JsonValue level = JsonValue::object();
+    level.set("format", "hatchway-level/1").set("scene", scene.string());
+    return level;
+}
+
 }  // namespace
+
+WalkStyles::WalkStyles(Stage& stage)
+    : stage_(stage), keys_(object_keys(stage.scene())), known_text_(text_of(stage.level()))
+{
+}
+
+std::string WalkStyles::unsaved_text() const
+{
+    if (!edits_.has_unsaved() && offered_.empty()) return {};
+    const Level& level = stage_.level();
+    std::vector<AssignRule> rules = offered_;
+    for (AssignRule& rule : rules_for(level, stage_.scene(), kFallbackStyle, edits_.unsaved()))
+        rules.push_back(std::move(rule));
+    if (rules.empty()) return {};
+    std::error_code failed;
+    const fs::path scene = fs::relative(level.scene_file, fs::absolute(level.file, failed).parent_path(), failed);
+    return with_assignments(level_json(scene).text(), assignments_of(rules), level.file);
+}
+
+std::string WalkStyles::offer(const std::string& unsaved_text)
+{
+    offered_ = parse_level(unsaved_text, stage_.level().file).assign;
+    return offered_.empty() ? "" : "Style changes of an earlier walk were not saved: Ctrl+Y brings them back";
+}
+
+std::string WalkStyles::take_up_offer()
+{
+    // Objects that no offered rule reaches keep this name, which no style can have.
+    constexpr const char* kUntouched = "\n";
+    Level level = stage_.level();
+    level.assign = {{.nodes = "*", .style = kUntouched}};
+    level.assign.insert(level.assign.end(), offered_.begin(), offered_.end());
+    const std::vector<ObjectLook> looks = resolve_looks(level, stage_.scene(), kFallbackStyle);
+    StyleEdits next = edits_;
+    for (ObjectId id = 0; id < looks.size(); ++id) {
+        const StyleChoice before = choice_of(stage_.looks()[id]);
+        const StyleChoice after = choice_of(looks[id]);
+        if (looks[id].style != kUntouched && !(after == before)) next.push({id, before, after});
+    }
+    const std::string message = adopt(std::move(next), "The changes of the earlier walk are back, and unsaved");
+    offered_.clear();
+    return message;
+}
 
 std::string WalkStyles::cycle(ObjectId object, int step)
 {
@@ -65,6 +127,7 @@ std::string WalkStyles::redo()
 {
     StyleEdits next = edits_;
     const auto edit = next.redo();
+    if (!edit && !offered_.empty()) return take_up_offer();
     return edit ? adopt(std::move(next), told("Redone. ", *edit, edit->after)) : "Nothing to redo";
 }
 
@@ -72,25 +135,32 @@ std::string WalkStyles::save()
 {
     // The file may have changed since the stage read it, and holds no styles of the command line.
     const fs::path file = stage_.level().file;
-    const Level level = read_level(file);
-    const auto rules = rules_for(level, stage_.scene(), kFallbackStyle, edits_.unsaved());
-    if (!rules.empty()) write_assignments(file, assignments_of(rules));
+    const LevelTexts texts = edit_level_file(file, [this](const Level& level) {
+        return assignments_of(rules_for(level, stage_.scene(), kFallbackStyle, edits_.unsaved()));
+    });
+    const bool is_shared = texts.before != known_text_;
+    known_text_ = texts.after;
     edits_.mark_saved();
-    return rules.empty() ? "Nothing to save" : "Saved into " + file.filename().string();
+    if (texts.after == texts.before) return "Nothing to save";
+    return "Saved into " + file.filename().string() +
+           (is_shared ? "; it had been changed elsewhere: both changes are in it" : "");
 }
 
 std::string WalkStyles::save_as(const fs::path& level_file, const StartPlace& start,
                                 const std::vector<std::string>& style_overrides)
 {
-    if (fs::exists(level_file))
+    const FolderHandle folder(level_file.parent_path());
+    const FolderLock lock(folder);
+    std::error_code missing;
+    if (fs::exists(fs::symlink_status(level_file, missing)))
         throw Error({.what = "is there already", .file = level_file.string(), .expected = "to be opened instead"});
-    JsonValue level = JsonValue::object();
-    level.set("format", "hatchway-level/1").set("scene", stage_.level().scene_file.filename().string());
+    JsonValue level = level_json(stage_.level().scene_file.filename());
     level.set("start", JsonValue::object().set("position", place(start.position)).set("look_at", place(start.look_at)));
     level.set("assign", first_assignments(style_overrides));
     const Level plain = parse_level(level.text(), level_file);
     const auto rules = rules_for(plain, stage_.scene(), kFallbackStyle, edits_.unsaved());
-    write_file_atomically(level_file, with_assignments(level.text(), assignments_of(rules), level_file));
+    const std::string text = with_assignments(level.text(), assignments_of(rules), level_file);
+    folder.write(level_file.filename().string(), std::as_bytes(std::span(text)));
     edits_.mark_saved();
     return "Saved as " + level_file.string();
 }
@@ -101,6 +171,7 @@ void WalkStyles::stage_changed()
     std::vector<ObjectKey> keys = object_keys(stage_.scene());
     if (keys != keys_) next.renumber(matching_objects(keys_, keys));
     keys_ = std::move(keys);
+    known_text_ = text_of(stage_.level());
     adopt(std::move(next), "");
 }
 

@@ -15,7 +15,7 @@ namespace hw {
 class WalkStyles {
  public:
     /// `stage` must outlive this, and be told of by stage_changed() when it reloaded.
-    explicit WalkStyles(Stage& stage) : stage_(stage), keys_(object_keys(stage.scene())) {}
+    explicit WalkStyles(Stage& stage);
 
     std::string cycle(ObjectId object, int step);
     std::string undo();
@@ -23,7 +23,15 @@ class WalkStyles {
 
     bool has_unsaved() const { return edits_.has_unsaved(); }
 
-    /// Writes what is unsaved into the level file's "assign". Throws hw::Error; the file is then as it was.
+    /// What is unsaved, as text for offer(); empty when nothing is. An offer that was not taken up is part of it.
+    std::string unsaved_text() const;
+
+    /// Offers what a walk before left as unsaved_text(): redo() takes it up once nothing else is to be redone. Throws
+    /// hw::Error for a text that does not fit.
+    std::string offer(const std::string& unsaved_text);
+
+    /// Writes what is unsaved into the level file's "assign". What others saved there meanwhile stays, and is told.
+    /// Throws hw::Error; the file is then as it was.
     std::string save();
 
     /// Writes a level file for a stage that shows a bare model: its looks as they are shown, and the start. Throws
@@ -38,11 +46,14 @@ class WalkStyles {
     /// Shows the level with these edits, and only then holds on to them. Returns `message`.
     std::string adopt(StyleEdits next, const std::string& message);
     std::string told(const std::string& before, const StyleEdit& edit, const StyleChoice& choice) const;
+    std::string take_up_offer();
 
     Stage& stage_;
     std::vector<ObjectKey> keys_;  ///< Of the scene that `edits_` count in.
     StyleEdits edits_;
     bool has_extra_rules_ = false;
+    std::vector<AssignRule> offered_;  ///< Of a walk before, not taken up yet.
+    std::string known_text_;           ///< Of the level file, when the stage read it or this wrote it.
 };
 
 /// Where a bare model's level file would stand: "teapot.glb" gives "teapot.level.json" beside it.

@@ -56,26 +56,36 @@ TEST_F(files, a_replaced_file_keeps_its_mode)
     EXPECT_EQ(entry_count(), 1);
 }
 
-TEST_F(files, a_link_stays_a_link_and_its_target_is_written)
+TEST_F(files, a_link_is_replaced_and_what_it_leads_to_stays)
 {
     fs::create_directory(folder_ / "sub");
-    fs::create_symlink("../old", folder_ / "sub/link");
-    fs::create_symlink("sub/link", folder_ / "link");
+    fs::create_symlink("old", folder_ / "link");
     fs::create_symlink("to_come", folder_ / "early");
-    EXPECT_EQ(refusal("link"), "");
-    EXPECT_TRUE(fs::is_symlink(folder_ / "link") && fs::is_symlink(folder_ / "sub/link"));
-    EXPECT_EQ(text("old"), "new");
-    EXPECT_EQ(refusal("early"), "");
-    EXPECT_TRUE(fs::is_symlink(folder_ / "early"));
-    EXPECT_EQ(text("to_come"), "new");
+    fs::create_symlink("sub", folder_ / "to_folder");
+    fs::create_symlink("round", folder_ / "round");
+    for (const char* name : {"link", "early", "to_folder", "round"}) {
+        EXPECT_EQ(refusal(name), "") << name;
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder_ / name))) << name;
+        EXPECT_EQ(text(name), "new") << name;
+    }
+    EXPECT_EQ(text("old"), "old");
+    EXPECT_FALSE(fs::exists(folder_ / "to_come"));
+    EXPECT_TRUE(fs::is_empty(folder_ / "sub"));
 }
 
-TEST_F(files, links_that_go_round_are_refused)
+TEST_F(files, folders_that_a_user_typed_may_be_links)
 {
-    fs::create_symlink("b", folder_ / "a");
-    fs::create_symlink("a", folder_ / "b");
-    EXPECT_NE(refusal("a"), "");
-    EXPECT_TRUE(fs::is_symlink(folder_ / "a"));
+    fs::create_directory(folder_ / "sub");
+    fs::create_directory_symlink("sub", folder_ / "typed");
+    EXPECT_EQ(refusal("typed/new"), "");
+    EXPECT_EQ(text("sub/new"), "new");
+}
+
+TEST_F(files, a_name_as_long_as_the_file_system_allows_can_be_written)
+{
+    EXPECT_EQ(refusal(std::string(255, 'x')), "");
+    EXPECT_NE(refusal(std::string(256, 'x')), "");
+    EXPECT_EQ(entry_count(), 2);
 }
 
 TEST_F(files, what_is_no_file_is_not_replaced)
@@ -88,17 +98,25 @@ TEST_F(files, what_is_no_file_is_not_replaced)
 
 TEST_F(files, a_folder_that_is_missing_is_refused)
 {
-    EXPECT_NE(refusal("missing/new"), "");
+    EXPECT_THROW(hw::write_file_atomically(folder_ / "missing/new", std::string_view("new")), hw::Error);
 }
 
-TEST_F(files, links_that_lead_nowhere_stay_unresolved)
+TEST_F(files, no_link_below_the_root_is_followed_wherever_it_leads)
 {
+    fs::create_directory(folder_ / "sub");
     fs::create_symlink(folder_ / "none" / "yet", folder_ / "out");
     fs::create_symlink("old", folder_ / "in");
+    fs::create_directory_symlink(".", folder_ / "sub/loop");
+    fs::create_directory_symlink("sub", folder_ / "alias");
     const auto resolve = [&](const char* path) {
         return hw::resolve_inside(folder_, folder_, path, "level", "/scene");
     };
-    EXPECT_EQ(resolve("in"), fs::canonical(folder_) / "old");
-    EXPECT_EQ(resolve("new/file"), fs::canonical(folder_) / "new/file");
-    for (const char* path : {"out", "out/file"}) EXPECT_THROW(resolve(path), hw::Error) << path;
+    const fs::path root = fs::canonical(folder_);
+    EXPECT_EQ(resolve("old"), root / "old");
+    EXPECT_EQ(resolve("sub/../old"), root / "old");
+    EXPECT_EQ(resolve("new/file"), root / "new/file");
+    EXPECT_EQ(resolve("sub/"), root / "sub");
+    for (const char* path : {"out", "out/file", "in", "sub/loop/loop/a", "alias/a", "alias", "../x", "sub/../../x"})
+        EXPECT_THROW(resolve(path), hw::Error) << path;
+    EXPECT_EQ(hw::resolve_inside(folder_, folder_ / "alias", "a", "level", ""), root / "sub/a") << "the user typed it";
 }

@@ -335,6 +335,30 @@ TEST(layers, only_commands_that_a_list_names_and_plugins_are_entry_points)
     EXPECT_FALSE(is_entry_point("npr_plugins/CMakeLists.txt"));
 }
 
+TEST(layers, files_are_written_and_results_printed_in_one_place)
+{
+    // Words that stand for a second way: of writing a file, of walking a tree, of printing a name from a file.
+    static const std::regex kForbidden(
+        R"(std::ofstream|std::fstream|\bfopen\(|create_director|std::filesystem::rename|\bfs::rename|copy_file|)"
+        R"(recursive_directory_iterator|std::cout|std::cerr|fmt::print|\bprintf\(|\bfputs\(|\bfprintf\(|\bputs\()");
+    std::string found;
+    int count = 0;
+    for (const std::string top : {"scenegraph", "npr_plugins", "editor_tools"})
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
+            const std::string name = fs::relative(entry.path(), kRoot).string();
+            const std::string extension = entry.path().extension().string();
+            if (!entry.is_regular_file() || (extension != ".cpp" && extension != ".hpp")) continue;
+            if (name.starts_with("scenegraph/core/")) continue;
+            ++count;
+            std::ifstream stream(entry.path());
+            std::smatch match;
+            for (std::string line; std::getline(stream, line);)
+                if (std::regex_search(line, match, kForbidden)) found += name + ": " + match.str() + '\n';
+        }
+    EXPECT_EQ(found, "");
+    EXPECT_GT(count, 200);
+}
+
 TEST(layers, each_forbidden_include_is_refused)
 {
     const std::set<std::string> privates{"hatchway/io/json/text.hpp", "hatchway/gl/gl_api.hpp"};

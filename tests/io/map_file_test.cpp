@@ -113,7 +113,7 @@ TEST(map_file, maps_stay_inside_of_the_project)
         EXPECT_EQ(error_of([&] { hw::find_map(level, hw::MapKind::ink, name, "/a"); }).pointer, "/a") << name;
     fs::create_symlink(folder.path() / "outside/map.json", folder.path() / "project/maps/stone/level_0.png");
     EXPECT_THAT(error_of([&] { hw::read_map(folder.path() / "project/maps/stone"); }).what,
-                testing::HasSubstr("leaves the project"));
+                testing::HasSubstr("goes through the link"));
 }
 
 TEST(map_file, the_maps_of_the_project_can_be_read)
@@ -134,7 +134,7 @@ TEST(map_file, a_description_that_is_a_link_out_of_the_map_is_refused)
     fs::create_directory(folder.path() / "stone");
     fs::create_symlink("../outside.json", folder.path() / "stone/map.json");
     EXPECT_THAT(error_of([&] { hw::read_map(folder.path() / "stone"); }).what,
-                testing::HasSubstr("leaves the project"));
+                testing::HasSubstr("goes through the link"));
 }
 
 TEST(map_file, a_missing_format_says_which_is_expected)

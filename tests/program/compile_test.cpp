@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/program/run_program.hpp"
@@ -25,14 +27,27 @@ json read_json(const fs::path& file)
 struct PrismFolder : TemporaryFolder {
     PrismFolder() { fs::copy_file(kContent / "models" / "prism.glb", path() / "prism.glb"); }
     std::string model() const { return *this / "prism.glb"; }
-    fs::path compiled() const { return path() / ".hatchway" / "prism.glb.compiled"; }
+    /// The user's cache folder of these runs.
+    std::vector<std::string> environment() const { return {"XDG_CACHE_HOME=" + (cache_ / "home")}; }
+    fs::path caches() const { return fs::path(cache_ / "home") / "hatchway"; }
+    ProgramResult run(const std::vector<std::string>& words) const { return run_program(words, 60.0, environment()); }
+    /// The one file in the cache.
+    fs::path compiled() const
+    {
+        std::error_code missing;
+        const fs::directory_iterator entry(caches(), missing);
+        return missing || entry == fs::directory_iterator() ? fs::path() : entry->path();
+    }
     ProgramResult render(const std::vector<std::string>& more = {}, const std::string& picture = "a.png") const
     {
         std::vector<std::string> words{"render",    model(), "--size", "64x64",
                                        "--samples", "1",     "--out",  *this / picture};
         words.insert(words.end(), more.begin(), more.end());
-        return run_program(words);
+        return run(words);
     }
+
+ private:
+    TemporaryFolder cache_;
 };
 
 /// Two rooms with a doorway, closed all around, and a sealed level of them.
@@ -51,8 +66,9 @@ std::string sealed_level(const TemporaryFolder& folder, const std::string& start
 TEST(compile, what_it_writes_is_what_render_takes)
 {
     const PrismFolder folder;
-    ASSERT_EQ(run_program({"compile", folder.model(), "--json", folder / "c.json"}).exit_code, 0);
+    ASSERT_EQ(folder.run({"compile", folder.model(), "--json", folder / "c.json"}).exit_code, 0);
     ASSERT_TRUE(fs::exists(folder.compiled()));
+    EXPECT_EQ(read_json(folder / "c.json")["file"], folder.compiled().string());
     EXPECT_EQ(read_json(folder / "c.json")["bytes"], fs::file_size(folder.compiled()));
     const auto written = fs::last_write_time(folder.compiled());
     ASSERT_EQ(folder.render().exit_code, 0);
@@ -67,7 +83,7 @@ TEST(compile, render_compiles_at_the_first_start_and_after_damage)
     ASSERT_EQ(folder.render().exit_code, 0);
     const std::string good = bytes_of(folder.compiled());
     for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), std::string(good.size(), 'x')}) {
-        folder.write(".hatchway/prism.glb.compiled", bad);
+        std::ofstream(folder.compiled(), std::ios::binary) << bad;
         const ProgramResult result = folder.render();
         EXPECT_EQ(result.exit_code, 0) << result.err;
         EXPECT_THAT(result.err, HasSubstr("compiled anew"));
@@ -78,43 +94,90 @@ TEST(compile, render_compiles_at_the_first_start_and_after_damage)
 TEST(compile, looking_and_measuring_leave_nothing_behind)
 {
     const PrismFolder folder;
-    EXPECT_EQ(run_program({"check", folder.model()}).exit_code, 0);
-    EXPECT_EQ(run_program({"info", folder.model()}).exit_code, 0);
+    EXPECT_EQ(folder.run({"check", folder.model()}).exit_code, 0);
+    EXPECT_EQ(folder.run({"info", folder.model()}).exit_code, 0);
     EXPECT_EQ(folder.render({"--no-cache"}).exit_code, 0);
     EXPECT_THAT(folder.names(), ElementsAre("a.png", "prism.glb"));
+    EXPECT_EQ(folder.compiled(), fs::path());
 }
 
-TEST(compile, a_cache_folder_serves_levels_in_folders_that_are_write_protected)
+TEST(compile, nothing_is_written_beside_a_level_and_nothing_there_is_believed)
 {
     const PrismFolder folder;
-    fs::create_directory(folder.path() / "levels");
-    fs::rename(folder.model(), folder.path() / "levels" / "prism.glb");
-    fs::permissions(folder.path() / "levels", fs::perms::owner_read | fs::perms::owner_exec);
-    const auto render = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> words{"render",        folder / "levels/prism.glb", "--size", "64x64", "--out",
-                                       folder / "a.png"};
-        words.insert(words.end(), more.begin(), more.end());
-        return run_program(words);
-    };
-    const ProgramResult without = render({});
-    EXPECT_EQ(without.exit_code, 0) << without.err;
-    EXPECT_THAT(without.err, HasSubstr("--cache"));
-    const ProgramResult with = render({"--cache", folder / "cache"});
-    EXPECT_EQ(with.exit_code, 0) << with.err;
-    EXPECT_THAT(with.err, testing::Not(HasSubstr("--cache")));
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "cache"), fs::directory_iterator()), 1);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "levels"), fs::directory_iterator()), 1);
-    fs::permissions(folder.path() / "levels", fs::perms::owner_all);
+    ASSERT_EQ(folder.render().exit_code, 0);
+    EXPECT_THAT(folder.names(), ElementsAre("a.png", "prism.glb"));
+    // What was once read from beside the level, and is forged: a link to a user's file.
+    folder.write("source.cpp", "mine");
+    fs::create_directory(folder / ".hatchway");
+    fs::create_symlink("../source.cpp", folder / ".hatchway/prism.glb.compiled");
+    fs::remove(folder.compiled());
+    const ProgramResult result = folder.render();
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(bytes_of(folder / "source.cpp"), "mine");
+    EXPECT_TRUE(fs::is_symlink(folder / ".hatchway/prism.glb.compiled"));
+    EXPECT_TRUE(fs::exists(folder.compiled()));
+}
+
+TEST(compile, links_in_the_cache_are_replaced_and_never_followed)
+{
+    const PrismFolder folder;
+    ASSERT_EQ(folder.render().exit_code, 0);
+    const fs::path compiled = folder.compiled();
+    const std::string good = bytes_of(compiled);
+    folder.write("source.cpp", "mine");
+    fs::remove(compiled);
+    fs::create_symlink(folder / "source.cpp", compiled);
+    EXPECT_EQ(folder.render().exit_code, 0);
+    EXPECT_EQ(bytes_of(folder / "source.cpp"), "mine");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(compiled)));
+    EXPECT_EQ(bytes_of(compiled), good);
+}
+
+TEST(compile, a_cache_that_others_can_write_into_is_left_alone)
+{
+    const PrismFolder folder;
+    ASSERT_EQ(folder.render().exit_code, 0);
+    const fs::path compiled = folder.compiled();
+    EXPECT_EQ(fs::status(folder.caches()).permissions(), fs::perms::owner_all);
+    fs::remove(compiled);
+    fs::permissions(folder.caches(), fs::perms::all);
+    const ProgramResult result = folder.render();
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.err, HasSubstr("others may write into the folder"));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(fs::exists(compiled));
+}
+
+TEST(compile, without_a_cache_folder_nothing_is_kept_and_one_line_says_so)
+{
+    const PrismFolder folder;
+    folder.write("file", "in the way");
+    const ProgramResult result = run_program({"render", folder.model(), "--size", "64x64", "--out", folder / "a.png"},
+                                             60.0, {"XDG_CACHE_HOME=" + (folder / "file/cache")});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.err, HasSubstr("--cache"));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+TEST(compile, a_cache_folder_may_be_named)
+{
+    const PrismFolder folder;
+    ASSERT_EQ(folder.render({"--cache", folder / "cache"}).exit_code, 0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "cache"), fs::directory_iterator()), 1);
+    EXPECT_EQ(folder.compiled(), fs::path());
+    fs::create_directory_symlink("cache", folder / "link");
+    EXPECT_EQ(folder.render({"--cache", folder / "link"}).exit_code, 2) << "a link is no folder of the user's naming";
 }
 
 TEST(compile, never_writes_over_what_it_reads)
 {
     const PrismFolder folder;
     const std::string before = bytes_of(folder.model());
-    EXPECT_EQ(run_program({"compile", folder.model(), "--out", folder.model()}).exit_code, 2);
-    EXPECT_EQ(run_program({"compile", folder.model(), "--prt", folder.model()}).exit_code, 2);
+    EXPECT_EQ(folder.run({"compile", folder.model(), "--out", folder.model()}).exit_code, 2);
+    EXPECT_EQ(folder.run({"compile", folder.model(), "--prt", folder.model()}).exit_code, 2);
     EXPECT_EQ(bytes_of(folder.model()), before);
-    EXPECT_FALSE(fs::exists(folder.compiled()));
+    EXPECT_EQ(folder.compiled(), fs::path());
 }
 
 TEST(compile, writes_portals_that_pvs_reads)

@@ -79,6 +79,28 @@ TEST(map_program, names_what_it_passes_over_in_a_drawing)
     EXPECT_THAT(result.err, testing::HasSubstr("<rect>, transform passed over"));
 }
 
+TEST(map_program, replaces_a_map_whole_and_no_other_folder)
+{
+    const TemporaryFolder folder;
+    const auto map = [&](const std::string& out, const std::string& width, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"map", "hatch", "--width", width, "--out", out});
+        return run_program(more);
+    };
+    const std::string place = folder / "map";
+    ASSERT_EQ(map(place, "256", {"--preview", place + "/preview.png"}).exit_code, 0);
+    ASSERT_TRUE(std::filesystem::exists(place + "/level_4.png"));
+    ASSERT_EQ(map(place, "64", {"--preview", place + "/preview.png"}).exit_code, 0);
+    EXPECT_FALSE(std::filesystem::exists(place + "/level_4.png")) << "a level of the map before";
+    folder.write("map/notes.txt", "mine");
+    for (const std::string& out : {place, folder.path().string(), std::string(".")}) {
+        const ProgramResult refused = map(out, "64");
+        EXPECT_EQ(refused.exit_code, 2) << out;
+        EXPECT_THAT(refused.err, testing::HasSubstr("--out"));
+    }
+    EXPECT_EQ(bytes_of(folder / "map/notes.txt"), "mine");
+    EXPECT_THAT(folder.names(), testing::ElementsAre("map"));
+}
+
 TEST(map_program, a_priority_map_is_square)
 {
     const TemporaryFolder folder;

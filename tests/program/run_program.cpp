@@ -21,6 +21,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// The user's own folders of all programs that a test runs: nobody's home is touched.
+const fs::path& own_folder()
+{
+    static const TemporaryFolder folder;
+    return folder.path();
+}
+
 [[noreturn]] void become_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
                                  const ProgramLimits& limits, int out, int err)
 {
@@ -30,6 +37,8 @@ using Clock = std::chrono::steady_clock;
     };
     limit(RLIMIT_CPU, limits.cpu_s);
     limit(RLIMIT_DATA, limits.memory_bytes);
+    ::setenv("XDG_CACHE_HOME", (own_folder() / "cache").c_str(), 1);
+    ::setenv("XDG_STATE_HOME", (own_folder() / "state").c_str(), 1);
     for (const std::string& setting : environment) {
         const std::size_t sign = setting.find('=');
         if (sign == std::string::npos)
@@ -77,6 +86,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, double limi
     std::array<int, 2> out{}, err{};
     if (::pipe2(out.data(), O_CLOEXEC) != 0 || ::pipe2(err.data(), O_CLOEXEC) != 0) return {};
     const auto start = Clock::now();
+    own_folder();
     const pid_t child = ::fork();
     if (child == 0) become_program(arguments, environment, limits, out[1], err[1]);
     ::close(out[1]);

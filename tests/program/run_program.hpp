@@ -21,7 +21,8 @@ struct ProgramLimits {
     std::uint64_t memory_bytes = 0;  ///< Private, writable.
 };
 
-/// Runs the built program with these arguments. `environment` are NAME=VALUE settings; "NAME" alone unsets.
+/// Runs the built program with these arguments, its cache and state in a folder that goes away. `environment` are
+/// NAME=VALUE settings; "NAME" alone unsets.
 ProgramResult run_program(const std::vector<std::string>& arguments, double limit_s = 60.0,
                           const std::vector<std::string>& environment = {}, const ProgramLimits& limits = {});
 

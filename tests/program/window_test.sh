@@ -11,6 +11,7 @@ for tool in Xvfb xdotool; do
 done
 
 work=$(mktemp -d)
+export XDG_CACHE_HOME=$work/cache XDG_STATE_HOME=$work/state
 xvfb=
 walk=
 clean_up() {
@@ -70,18 +71,18 @@ sleep 2
 
 # A picture, a walk, a turn, and another picture: from another place, and the first is still there.
 press F12
-has_picture() { [ -s "prism_00$1.png" ]; }
+has_picture() { [ -s "levels/prism_00$1.png" ]; }
 wait_for 10 "the first picture" has_picture 1
-cp prism_001.png first.png
+cp levels/prism_001.png first.png
 hold w
 hold Left
 press F12
 wait_for 10 "the second picture" has_picture 2
-cmp -s prism_001.png first.png || fail "the second picture replaced the first"
-cmp -s prism_001.png prism_002.png && fail "walking and turning changed nothing in the picture"
+cmp -s levels/prism_001.png first.png || fail "the second picture replaced the first"
+cmp -s levels/prism_001.png levels/prism_002.png && fail "walking and turning changed nothing in the picture"
 [ "$(grep -c -- '--eye' log)" = 2 ] || fail "the log does not name the view of each picture"
 [ "$(grep -o -- '--eye [^ ]*' log | sort -u | wc -l)" = 2 ] || fail "W did not move the eye"
-[ "$(head -c 4 prism_001.png | tail -c 3)" = PNG ] || fail "the picture is no PNG"
+[ "$(head -c 4 levels/prism_001.png | tail -c 3)" = PNG ] || fail "the picture is no PNG"
 
 # The object under the cross-hair gets another style, and the file says so; its comments stay.
 press 0
@@ -125,4 +126,30 @@ status=0
 wait "$walk" || status=$?
 walk=
 [ "$status" = 0 ] || fail "the exit code is $status"
+
+# A walk that is killed loses nothing: the next one offers what it had not saved.
+before=$(style_of_assign)
+"$program" walk "$level" --size 640x480 >out 2>>log &
+walk=$!
+wait_for 60 "the second window" has_window
+xdotool windowfocus --sync "$(xdotool search --name 'prism.level.json' | head -n 1)"
+sleep 2
+press 0
+press Tab
+sleep 5
+kill -9 "$walk"
+wait "$walk" 2>/dev/null || true
+[ "$(style_of_assign)" = "$before" ] || fail "the level was saved by itself"
+"$program" walk "$level" --size 640x480 >out 2>>log &
+walk=$!
+wait_for 60 "the third window" has_window
+xdotool windowfocus --sync "$(xdotool search --name 'prism.level.json' | head -n 1)"
+sleep 2
+press ctrl+y
+press ctrl+s
+is_saved() { [ "$(style_of_assign)" != "$before" ]; }
+wait_for 5 "what the killed walk had not saved" is_saved
+press q
+wait_for_end || fail "Q did not end the last walk"
+walk=
 echo "walked, turned, restyled, saved, undone, photographed, quit"

@@ -42,12 +42,24 @@ TEST_F(file_watch, tells_a_changed_file_once)
     EXPECT_TRUE(changed().empty());
 }
 
-TEST_F(file_watch, names_the_folder_of_a_changed_file)
+TEST_F(file_watch, names_a_folder_where_a_file_came_or_went)
 {
-    write("map/level_0.png", "longer");
-    EXPECT_EQ(changed(), std::vector<fs::path>{folder_ / "map"});
+    watch_.watch({folder_ / "map"});
     write("map/level_1.png", "new");
     EXPECT_EQ(changed(), std::vector<fs::path>{folder_ / "map"});
+    fs::remove(folder_ / "map/level_1.png");
+    fs::last_write_time(folder_ / "map", fs::file_time_type::clock::now() + std::chrono::seconds(2));
+    EXPECT_EQ(changed(), std::vector<fs::path>{folder_ / "map"});
+}
+
+TEST_F(file_watch, walks_no_tree_however_its_links_go_round)
+{
+    for (const char* name : {"map/a", "map/b"}) fs::create_directory_symlink(".", folder_ / name);
+    const auto start = std::chrono::steady_clock::now();
+    hw::FileWatch watch{std::chrono::milliseconds(0)};
+    watch.watch({folder_ / "map"});
+    EXPECT_TRUE(watch.changed().empty());
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 TEST_F(file_watch, waits_for_a_file_that_an_editor_replaces)

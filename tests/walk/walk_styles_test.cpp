@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
 #include "hatchway/gl/context.hpp"
+#include "hatchway/io/level/edit.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/world/looks.hpp"
 
@@ -163,6 +166,62 @@ TEST_F(WalkStylesTest, a_bare_model_is_saved_as_a_level_beside_it)
     ASSERT_TRUE(hw::read_level(file).start.has_value());
     EXPECT_EQ(hw::read_level(file).start->position, glm::dvec3(1, 2, 3));
     EXPECT_THROW(styles.save_as(file, {}, {}), hw::Error) << "a file that is there is never replaced";
+}
+
+TEST_F(WalkStylesTest, what_is_not_saved_is_offered_to_the_next_walk)
+{
+    open(level());
+    std::string shown, kept;
+    {
+        hw::WalkStyles styles(*stage_);
+        EXPECT_EQ(styles.unsaved_text(), "");
+        styles.cycle(0, 1);
+        shown = stage_->looks()[0].style;
+        kept = styles.unsaved_text();
+    }
+    open(level());
+    hw::WalkStyles styles(*stage_);
+    EXPECT_NE(styles.offer(kept), "");
+    EXPECT_NE(stage_->looks()[0].style, shown) << "offered, not done";
+    EXPECT_EQ(styles.unsaved_text(), kept) << "and not lost before it is taken up";
+    styles.redo();
+    EXPECT_EQ(stage_->looks()[0].style, shown);
+    EXPECT_TRUE(styles.has_unsaved());
+    styles.save();
+    EXPECT_EQ(style_in(level()), shown);
+    EXPECT_EQ(styles.unsaved_text(), "");
+    EXPECT_THROW(styles.offer("{ broken"), hw::Error);
+}
+
+TEST_F(WalkStylesTest, two_walks_that_save_one_level_both_keep_their_changes)
+{
+    open(level());
+    hw::WalkStyles one(*stage_);
+    one.cycle(0, 1);
+    const std::string shown = stage_->looks()[0].style;
+    hw::edit_level_file(level(), [](const hw::Level&) {
+        return std::vector<hw::StyleAssignment>{{.nodes = "Elsewhere", .style = "drawn"}};
+    });
+    EXPECT_NE(one.save().find("changed elsewhere"), std::string::npos);
+    EXPECT_EQ(style_in(level()), shown);
+    const hw::Level saved = hw::read_level(level());
+    EXPECT_TRUE(std::any_of(saved.assign.begin(), saved.assign.end(),
+                            [](const hw::AssignRule& rule) { return rule.nodes == "Elsewhere"; }));
+    one.cycle(0, 1);
+    EXPECT_EQ(one.save().find("changed elsewhere"), std::string::npos) << "told once";
+}
+
+TEST_F(WalkStylesTest, a_name_that_is_too_long_for_a_level_is_told)
+{
+    std::string long_name(246, 'x');
+    const fs::path file = folder_ / "models" / long_name.append(".glb");
+    fs::rename(model(), file);
+    open(file);
+    hw::WalkStyles styles(*stage_);
+    styles.cycle(0, 1);
+    EXPECT_THROW(styles.save_as(hw::level_file_for(file), {}, {}), hw::Error);
+    EXPECT_TRUE(styles.has_unsaved());
+    EXPECT_NE(styles.unsaved_text(), "");
 }
 
 TEST(level_file_for, stands_beside_the_model)

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <memory>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
@@ -209,12 +209,12 @@ void measure_frame(const FrameMeasureArguments& arguments)
     const std::vector<std::string> styles = styles_to_measure(*stages.front().stage, arguments.level);
     Progress progress("Measuring", styles.size() * 2 * views.size());
     JsonValue rows = JsonValue::array();
-    std::cout << "median (95th percentile) ms on " << context->device().renderer << '\n';
+    print_line(std::string("median (95th percentile) ms on ") + context->device().renderer);
     for (std::size_t i = 0; i < styles.size(); ++i) {
         if (i > 0) draw_all_in(stages, styles[i]);
         for (const int samples : {1, 4})
             for (const Row& row : measure_rows(stages, views, styles[i], samples, progress)) {
-                std::cout << row_text(row) << std::flush;
+                print_lines(row_text(row));
                 rows.push(row_json(row));
             }
     }

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <iostream>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/json/out.hpp"
@@ -37,15 +37,21 @@ struct ScaleArguments {
     fs::path json;
 };
 
-/// A folder for generated levels that goes away.
+/// A folder for generated levels that goes away. Nobody can know its name before.
 struct WorkFolder {
-    WorkFolder() { fs::create_directories(path); }
+    WorkFolder()
+    {
+        std::string name = (fs::temp_directory_path() / "hatchway_scale_XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr)
+            throw Error({.what = "the folder for generated levels cannot be made", .file = name});
+        path = name;
+    }
     ~WorkFolder()
     {
         std::error_code ignored;
         fs::remove_all(path, ignored);
     }
-    fs::path path = fs::temp_directory_path() / fmt::format("hatchway_scale_{}", ::getpid());
+    fs::path path;
 };
 
 struct Row {
@@ -162,8 +168,8 @@ void measure_scale(const ScaleArguments& arguments)
     require_outputs({{"--json", arguments.json}, {"--write", arguments.write}}, {});
     if (!arguments.write.empty()) {
         const auto level = measure::write_scale_level(arguments.write, arguments.rooms.back());
-        std::cout << fmt::format("{}: {} objects, {} triangles\n", arguments.write.string(), level.objects,
-                                 level.triangles);
+        print_line(
+            fmt::format("{}: {} objects, {} triangles", arguments.write.string(), level.objects, level.triangles));
         return;
     }
     if (arguments.rooms.size() < 2 || arguments.rooms.front() >= arguments.rooms.back())
@@ -175,14 +181,14 @@ void measure_scale(const ScaleArguments& arguments)
     JsonValue json_rows = JsonValue::array();
     for (const int rooms : arguments.rooms) {
         rows.push_back(measure_rooms(*context, arguments, folder.path, rooms));
-        std::cout << row_text(rows.back()) << std::flush;
+        print_lines(row_text(rows.back()));
         json_rows.push(row_json(rows.back()));
     }
     const double compile = slope(rows, &Row::compile_s);
     const double memory = slope(rows, &Row::resident_mib);
     const double frame = slope(rows, &Row::frame_ms);
-    std::cout << fmt::format("slopes against triangles: compile {:.2f}, memory {:.2f}, frame {:.2f}\n", compile, memory,
-                             frame);
+    print_line(
+        fmt::format("slopes against triangles: compile {:.2f}, memory {:.2f}, frame {:.2f}", compile, memory, frame));
     if (arguments.json.empty()) return;
     write_json(arguments.json, JsonValue::object()
                                    .set("measure", "scale")

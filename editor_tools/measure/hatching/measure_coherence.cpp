@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <random>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
@@ -234,10 +234,10 @@ JsonValue kind_row(const Kind& kind, double unfiltered_flicker)
 {
     const CoherenceErrors& e = kind.errors;
     const double flicker = mean_of(e.flicker);
-    std::cout << fmt::format("{:<20}{:>8}{:>10.4f}{:>9.2f}{:>11.4f}{:>11.4f}{:>11.3f}{:>11.3f}\n", kind.name,
-                             e.flicker.size(), flicker, flicker / unfiltered_flicker, absolute_quantile(e.tone, 0.99),
-                             absolute_quantile(e.tone, 1.0), absolute_quantile(e.slide, 0.5),
-                             absolute_quantile(e.slide, 0.95));
+    print_line(fmt::format("{:<20}{:>8}{:>10.4f}{:>9.2f}{:>11.4f}{:>11.4f}{:>11.3f}{:>11.3f}", kind.name,
+                           e.flicker.size(), flicker, flicker / unfiltered_flicker, absolute_quantile(e.tone, 0.99),
+                           absolute_quantile(e.tone, 1.0), absolute_quantile(e.slide, 0.5),
+                           absolute_quantile(e.slide, 0.95)));
     return JsonValue::object()
         .set("ink", kind.name)
         .set("places", static_cast<std::uint64_t>(e.flicker.size()))
@@ -265,8 +265,8 @@ void measure_coherence(const CoherenceArguments& arguments)
         progress.advance();
     }
     measure_costs(level, pairs, size);
-    std::cout << fmt::format("{:<20}{:>8}{:>10}{:>9}{:>11}{:>11}{:>11}{:>11}\n", "ink", "places", "flicker", "share",
-                             "tone p99", "tone most", "slide med", "slide p95");
+    print_line(fmt::format("{:<20}{:>8}{:>10}{:>9}{:>11}{:>11}{:>11}{:>11}", "ink", "places", "flicker", "share",
+                           "tone p99", "tone most", "slide med", "slide p95"));
     JsonValue rows = JsonValue::array();
     JsonValue costs = JsonValue::array();
     double without = 0.0;
@@ -277,7 +277,7 @@ void measure_coherence(const CoherenceArguments& arguments)
         }
         const double ms = mean_of(kind.ms);
         if (without == 0.0) without = ms;
-        std::cout << fmt::format("{:<20}{:>8.2f} ms{:>8.2f} x\n", kind.name, ms, ms / without);
+        print_line(fmt::format("{:<20}{:>8.2f} ms{:>8.2f} x", kind.name, ms, ms / without));
         costs.push(JsonValue::object().set("ink", kind.name).set("ms", ms).set("share", ms / without));
     }
     if (arguments.json.empty()) return;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
@@ -146,7 +146,7 @@ void measure_hatch(const HatchMeasureArguments& arguments)
     Progress progress("Measuring", kLevelChoices.size() * places.size());
     JsonValue rows = JsonValue::array();
     JsonValue summary = JsonValue::array();
-    std::cout << "errors in percent: median, 99th percentile (nearest - farthest); tone: mean, RMS\n";
+    print_line("errors in percent: median, 99th percentile (nearest - farthest); tone: mean, RMS");
     for (std::size_t i = 0; i < kLevelChoices.size(); ++i) {
         HatchSamples all;
         double ms = 0.0;
@@ -160,7 +160,7 @@ void measure_hatch(const HatchMeasureArguments& arguments)
             add_samples(all, row.samples);
             ms += row.ms / static_cast<double>(places.size());
         }
-        std::cout << errors_text(std::string(kLevelChoices[i]), all, native, ms) << std::flush;
+        print_lines(errors_text(std::string(kLevelChoices[i]), all, native, ms));
         summary.push(errors_json(all, native).set("choice", std::string(kLevelChoices[i])).set("ms", ms));
     }
     if (!arguments.pictures.empty()) write_pictures(probe, arguments.pictures);

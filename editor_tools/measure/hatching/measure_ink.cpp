@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iostream>
 
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/images/map_file.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/maps/ink_map.hpp"
@@ -29,12 +29,11 @@ void add_rows(JsonValue& rows, const std::string& name, const std::string& filte
         const bool has_strokes = level.stroke_texels > 0.0 && finest.stroke_texels > 0.0;
         const double width_error = has_strokes ? level.stroke_texels / finest.stroke_texels - 1.0 : 0.0;
         const double kept = finest.contrast > 0.0 ? level.contrast / finest.contrast : 0.0;
-        std::cout << fmt::format("{:<20}{:<12}{:>6}{:>8}", name, filter, i, map.levels[i].width);
-        if (has_strokes)
-            std::cout << fmt::format("{:>10.2f}{:>+9.0f} %", level.stroke_texels, 100.0 * width_error);
-        else
-            std::cout << fmt::format("{:>21}", "none");
-        std::cout << fmt::format("{:>9.3f}{:>+9.3f}{:>9.2f}\n", level.tone, level.tone - finest.tone, kept);
+        const std::string stroke = has_strokes
+                                       ? fmt::format("{:>10.2f}{:>+9.0f} %", level.stroke_texels, 100.0 * width_error)
+                                       : fmt::format("{:>21}", "none");
+        print_line(fmt::format("{:<20}{:<12}{:>6}{:>8}{}{:>9.3f}{:>+9.3f}{:>9.2f}", name, filter, i,
+                               map.levels[i].width, stroke, level.tone, level.tone - finest.tone, kept));
         rows.push(JsonValue::object()
                       .set("map", name)
                       .set("filter", filter)
@@ -54,8 +53,8 @@ void measure_ink(const InkMeasureArguments& arguments)
     std::vector<MapLevels> maps;
     for (const std::filesystem::path& folder : arguments.maps) maps.push_back(read_map(folder));
     JsonValue rows = JsonValue::array();
-    std::cout << fmt::format("{:<20}{:<12}{:>6}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}\n", "map", "levels", "level", "texels",
-                             "stroke", "error", "tone", "error", "contrast");
+    print_line(fmt::format("{:<20}{:<12}{:>6}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}", "map", "levels", "level", "texels",
+                           "stroke", "error", "tone", "error", "contrast"));
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const MapLevels& map = maps[i];
         const std::string name = std::filesystem::weakly_canonical(arguments.maps[i]).filename().string();

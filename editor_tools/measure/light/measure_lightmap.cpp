@@ -3,8 +3,7 @@
 // leaks.
 #include <fmt/format.h>
 
-#include <iostream>
-
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/world/light/bake.hpp"
@@ -54,13 +53,12 @@ std::vector<LightRow> rows_of(const LightCase& light_case, std::uint32_t samples
 JsonValue measure_cases(std::uint32_t samples)
 {
     JsonValue json = JsonValue::array();
-    std::cout << fmt::format("{:<20}{:>9}{:>9}{:>10}{:>10}{:>10}\n", "case", "samples", "luxels", "seconds", "RMS %",
-                             "worst %");
+    print_line(
+        fmt::format("{:<20}{:>9}{:>9}{:>10}{:>10}{:>10}", "case", "samples", "luxels", "seconds", "RMS %", "worst %"));
     for (const LightCase& light_case : light_cases())
         for (const LightRow& row : rows_of(light_case, samples)) {
-            std::cout << fmt::format("{:<20}{:>9}{:>9}{:>10.3f}{:>10.3f}{:>10.3f}\n", light_case.name, row.samples,
-                                     row.luxels, row.seconds, 100.0 * row.error.rms, 100.0 * row.error.worst)
-                      << std::flush;
+            print_line(fmt::format("{:<20}{:>9}{:>9}{:>10.3f}{:>10.3f}{:>10.3f}", light_case.name, row.samples,
+                                   row.luxels, row.seconds, 100.0 * row.error.rms, 100.0 * row.error.worst));
             json.push(JsonValue::object()
                           .set("case", light_case.name)
                           .set("luxels_per_m", light_case.luxels_per_m)
@@ -76,16 +74,15 @@ JsonValue measure_cases(std::uint32_t samples)
 JsonValue measure_leaks()
 {
     JsonValue json = JsonValue::array();
-    std::cout << fmt::format("\n{:<36}{:>10}{:>8}{:>8}{:>15}\n", "closed room, walls of 0.05 m", "luxels/m", "seen",
-                             "leaked", "brightest lux");
+    print_lines(fmt::format("\n{:<36}{:>10}{:>8}{:>8}{:>15}\n", "closed room, walls of 0.05 m", "luxels/m", "seen",
+                            "leaked", "brightest lux"));
     for (const DarkRoom& room : dark_rooms())
         for (const double density : {1.0, 2.0, 4.0, 8.0}) {
             const Lightmap lightmap =
                 bake_lightmap(room.scene, room.sources, {.luxels_per_m = density, .samples = kLeakSamples});
             const LeakCount count = count_leaks(lightmap, room);
-            std::cout << fmt::format("{:<36}{:>10}{:>8}{:>8}{:>15.3g}\n", room.name, density, count.seen, count.leaked,
-                                     count.brightest_lux)
-                      << std::flush;
+            print_line(fmt::format("{:<36}{:>10}{:>8}{:>8}{:>15.3g}", room.name, density, count.seen, count.leaked,
+                                   count.brightest_lux));
             json.push(JsonValue::object()
                           .set("room", room.name)
                           .set("luxels_per_m", density)

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
@@ -219,7 +219,7 @@ void measure_lines(const LinesMeasureArguments& arguments)
     for (const auto& file : arguments.files) {
         Renderer renderer(*context);
         for (const Row& row : measure_scene(arguments, file, plugins, renderer)) {
-            std::cout << row_text(row) << std::flush;
+            print_lines(row_text(row));
             rows.push(row_json(row));
         }
         progress.advance();

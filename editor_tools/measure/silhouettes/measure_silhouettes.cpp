@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <limits>
 #include <numbers>
 #include <random>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/limits.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/geometry/silhouettes/silhouettes.hpp"
 #include "hatchway/io/json/out.hpp"
@@ -318,8 +318,8 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
     JsonValue rows = JsonValue::array();
     const std::vector<NamedMesh> meshes = meshes_of(arguments);
     Progress progress("Measuring silhouettes", meshes.size() * arguments.offsets.size() * arguments.scales.size());
-    std::cout << fmt::format("{:<24} {:<10} {:<6} {:>8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>5} {:>9}\n", "model", "method",
-                             "number", "offset", "scale", "median ms", "p95 ms", "false+", "false-", "odd", "doubles");
+    print_line(fmt::format("{:<24} {:<10} {:<6} {:>8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>5} {:>9}", "model", "method",
+                           "number", "offset", "scale", "median ms", "p95 ms", "false+", "false-", "odd", "doubles"));
     for (const NamedMesh& named : meshes) {
         for (const double offset : arguments.offsets) {
             for (const double scale : arguments.scales) {
@@ -328,7 +328,7 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
                     Row row{.model = named.name, .variant = variant, .offset = offset, .scale = scale};
                     measure_subject(subject, row);
                     rows.push(row_json(row));
-                    std::cout << row_text(row);
+                    print_lines(row_text(row));
                 }
                 progress.advance();
             }

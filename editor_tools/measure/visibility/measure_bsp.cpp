@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <iostream>
 
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
@@ -49,7 +49,7 @@ void measure_bsp(const BspMeasureArguments& arguments)
     JsonValue json = JsonValue::object();
     json.set("measure", "bsp").set("rows", std::move(rows));
     if (!arguments.json.empty()) write_json(arguments.json, json);
-    std::cout << json.text();
+    print_lines(json.text());
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 // hides that a ray sees: that must be nothing.
 #include <fmt/format.h>
 
-#include <iostream>
-
+#include "hatchway/core/log.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
@@ -88,7 +88,7 @@ JsonValue measure_slits(const PvsMeasureArguments& arguments)
             options.threads = arguments.threads;
             const Visibility visibility = build_visibility(slit.scene, {}, chunks, options);
             const bool is_shown = measure::is_target_shown(slit, visibility);
-            std::cerr << fmt::format("{}: {} ({})\n", slit.name, slit_verdict(is_shown, slit.is_seen), effort);
+            log_warning(fmt::format("{}: {} ({})", slit.name, slit_verdict(is_shown, slit.is_seen), effort));
             JsonValue row = JsonValue::object();
             row.set("scene", slit.name).set("effort", effort).set("is_seen", slit.is_seen).set("is_shown", is_shown);
             row.set("is_met_by_exact_ray", measure::is_target_met(slit));
@@ -108,7 +108,7 @@ void measure_pvs_command(const PvsMeasureArguments& arguments)
     JsonValue json = JsonValue::object();
     json.set("measure", "pvs").set("rows", std::move(rows)).set("slits", std::move(slits));
     if (!arguments.json.empty()) write_json(arguments.json, json);
-    std::cout << json.text();
+    print_lines(json.text());
 }
 
 }  // namespace

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <iostream>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
@@ -73,9 +74,9 @@ JsonValue json_of(const std::string& file, std::size_t starts, double seconds, c
 void tell_faults(const std::string& file, const WalkCounts& counts)
 {
     for (const measure::WalkFault& fault : counts.faults)
-        std::cerr << fmt::format("{}: {} in walk {}, input {}, foot {:.4f} {:.4f} {:.4f}, {:.6f} m deep\n", file,
-                                 fault.what, fault.walk, fault.input, fault.foot_world.x, fault.foot_world.y,
-                                 fault.foot_world.z, fault.depth_m);
+        log_warning(fmt::format("{}: {} in walk {}, input {}, foot {:.4f} {:.4f} {:.4f}, {:.6f} m deep", file,
+                                fault.what, fault.walk, fault.input, fault.foot_world.x, fault.foot_world.y,
+                                fault.foot_world.z, fault.depth_m));
 }
 
 JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArguments& arguments)
@@ -97,21 +98,20 @@ JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArgum
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const std::string name = file.filename().string();
     tell_faults(name, counts);
-    std::cout << fmt::format("{:<26}{:>9}{:>9}{:>9.1f}{:>8}{:>7}{:>8}{:>10.2g}{:>7}{:>7}{:>7}{:>7}{:>7}\n", name,
-                             counts.inputs, counts.frames, seconds, counts.cells, counts.put_back, counts.penetrations,
-                             counts.worst_depth_m, counts.walls_crossed, counts.floors_crossed, counts.thrown,
-                             counts.eyes_parted, counts.stuck)
-              << std::flush;
+    print_line(fmt::format("{:<26}{:>9}{:>9}{:>9.1f}{:>8}{:>7}{:>8}{:>10.2g}{:>7}{:>7}{:>7}{:>7}{:>7}", name,
+                           counts.inputs, counts.frames, seconds, counts.cells, counts.put_back, counts.penetrations,
+                           counts.worst_depth_m, counts.walls_crossed, counts.floors_crossed, counts.thrown,
+                           counts.eyes_parted, counts.stuck));
     return json_of(name, starts.size(), seconds, counts);
 }
 
 void measure_walk(const WalkMeasureArguments& arguments)
 {
     require_outputs({{"--json", arguments.json}}, arguments.files);
-    std::cout << fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}{:>10}{:>7}{:>7}{:>7}{:>7}{:>7}\n", "scene", "inputs",
-                             "frames", "seconds", "cells", "put", "pene-", "worst m", "walls", "floors", "thrown",
-                             "eyes", "stuck")
-              << fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}\n", "", "", "", "", "0.5 m", "back", "trated");
+    print_lines(fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}{:>10}{:>7}{:>7}{:>7}{:>7}{:>7}\n", "scene", "inputs",
+                            "frames", "seconds", "cells", "put", "pene-", "worst m", "walls", "floors", "thrown",
+                            "eyes", "stuck") +
+                fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}\n", "", "", "", "", "0.5 m", "back", "trated"));
     JsonValue rows = JsonValue::array();
     for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments));
     JsonValue json = JsonValue::object();

@@ -3,7 +3,9 @@
 #include <functional>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/folder_draft.hpp"
 #include "hatchway/core/limits.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/drawings/svg_strokes.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/io/json/out.hpp"
@@ -41,9 +43,41 @@ fs::path level_file(const fs::path& folder, std::size_t level)
     return folder / fmt::format("level_{}.png", level);
 }
 
+bool is_map_file(const fs::path& name)
+{
+    const std::string text = name.string();
+    return text == kMapFile || (text.starts_with("level_") && text.ends_with(".png"));
+}
+
+/// The folder is replaced whole, so it may hold nothing but a map and its preview.
+void require_replaceable(const MapArguments& arguments)
+{
+    const auto refuse = [&](const std::string& what) {
+        return Error({.what = "--out: " + what,
+                      .file = arguments.folder.string(),
+                      .expected = "a new name, an empty folder, or one that holds a map alone: it is replaced"});
+    };
+    const fs::path name = arguments.folder.filename();
+    if (name == "." || name == "..") throw refuse("is no name");
+    std::error_code missing;
+    if (fs::is_symlink(fs::symlink_status(arguments.folder, missing))) return;
+    for (const fs::directory_entry& entry : fs::directory_iterator(arguments.folder, missing)) {
+        const bool is_preview = is_in_folder(arguments.preview, arguments.folder) &&
+                                entry.path().filename() == arguments.preview.filename();
+        const bool is_file = !fs::is_directory(entry.symlink_status(missing));
+        if (!is_file || !(is_preview || is_map_file(entry.path().filename())))
+            throw refuse("holds " + entry.path().filename().string());
+    }
+}
+
 void check_outputs(const MapArguments& arguments)
 {
-    require_writable_folder(arguments.folder, "--out");
+    std::error_code missing;
+    if (fs::is_symlink(fs::symlink_status(arguments.folder, missing)))
+        require_folder(arguments.folder.parent_path(), "--out");
+    else
+        require_writable_folder(arguments.folder, "--out");
+    require_replaceable(arguments);
     // The preview may lie in the map's own folder, which need not be there yet.
     if (!is_in_folder(arguments.preview, arguments.folder)) require_writable(arguments.preview, "--preview");
     std::vector<OutputFile> outputs{{"--out", arguments.folder}, {"--out", arguments.folder / kMapFile}};
@@ -55,14 +89,17 @@ void check_outputs(const MapArguments& arguments)
 void write_map(const MapLevels& map, const MapArguments& arguments)
 {
     const Pixels preview = arguments.preview.empty() ? Pixels() : map_preview(map);
-    make_folder(arguments.folder);
-    for (std::size_t i = 0; i < map.levels.size(); ++i) write_png(level_file(arguments.folder, i), map.levels[i]);
+    FolderDraft draft(arguments.folder);
+    for (std::size_t i = 0; i < map.levels.size(); ++i) write_png(level_file(draft.path(), i), map.levels[i]);
     JsonValue json = JsonValue::object();
     json.set("format", "hatchway-map/1").set("kind", std::string(facts_of(map.kind).name));
     json.set("levels", static_cast<int>(map.levels.size())).set("size_m", map.size_m);
     if (map.kind == MapKind::hatch) json.set("spacing_texels", map.spacing_texels);
-    write_json(arguments.folder / kMapFile, json);
-    if (!arguments.preview.empty()) write_png(arguments.preview, preview);
+    write_json(draft.path() / kMapFile, json);
+    const bool is_preview_inside = is_in_folder(arguments.preview, arguments.folder);
+    if (is_preview_inside) write_png(draft.path() / arguments.preview.filename(), preview);
+    draft.put();
+    if (!is_preview_inside && !arguments.preview.empty()) write_png(arguments.preview, preview);
 }
 
 int power_of_two(int texels)
@@ -129,7 +166,7 @@ MapLevels ink_map_of(MapArguments& arguments)
                                                       : ink.map;
     if (arguments.filter != "none") return map;
     for (std::size_t i = 0; i < ink.stroke_counts.size(); ++i)
-        fmt::print("level {}: {} of {} strokes\n", i, ink.stroke_counts[i], drawing.strokes.size());
+        print_line(fmt::format("level {}: {} of {} strokes", i, ink.stroke_counts[i], drawing.strokes.size()));
     return map;
 }
 

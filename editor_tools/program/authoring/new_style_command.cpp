@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <string_view>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/plugin_host/new_style.hpp"
 #include "hatchway/plugin_host/plugin_registry.hpp"
 #include "program/commands.hpp"
@@ -56,7 +56,7 @@ void write_style(const NewStyleArguments& arguments)
     refuse_taken_name(arguments.name);
     require_folder(arguments.folder, "--in");
     for (const std::filesystem::path& file : write_new_style(arguments.name, arguments.folder))
-        std::cout << file.string() << '\n';
+        print_line(file.string());
 }
 
 }  // namespace

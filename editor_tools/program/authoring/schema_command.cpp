@@ -1,6 +1,6 @@
-#include <iostream>
 
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/level/schema.hpp"
 #include "hatchway/plugin_host/make_style.hpp"
 #include "program/arguments.hpp"
@@ -34,7 +34,7 @@ void write_schema(const SchemaArguments& arguments)
     places.folders = arguments.plugin_dirs;
     const std::string schema = level_schema(style_schemas(PluginRegistry(places)));
     if (arguments.out.empty())
-        std::cout << schema;
+        print_lines(schema);
     else
         write_file_atomically(arguments.out, schema);
 }

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <iostream>
 #include <optional>
 #include <span>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/glob.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
 #include "hatchway/stage/level_light.hpp"
 #include "hatchway/world/light/bake.hpp"
@@ -95,8 +95,8 @@ void bake(const BakeArguments& arguments)
             early.offer(state);
         });
     write_lightmap(out, lightmap);
-    std::cout << fmt::format("{}: {} luxels in {} x {}, {:.3g} luxels per metre; {:.1f} s\n", out.string(), luxels,
-                             lightmap.size.x, lightmap.size.y, lightmap.luxels_per_m, seconds);
+    print_line(fmt::format("{}: {} luxels in {} x {}, {:.3g} luxels per metre; {:.1f} s", out.string(), luxels,
+                           lightmap.size.x, lightmap.size.y, lightmap.luxels_per_m, seconds));
 }
 
 }  // namespace

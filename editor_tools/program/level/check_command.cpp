@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <iostream>
-
 #include "hatchway/core/log.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/json/out.hpp"
@@ -50,12 +49,12 @@ void check(const CheckArguments& arguments)
     const std::vector<Leak> leaks = is_sealed ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
 
     const Scene& scene = stage.scene();
-    std::cout << fmt::format(
+    print_line(fmt::format(
         "{}: good: {} objects, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
-        "paths; {} warnings\n",
+        "paths; {} warnings",
         arguments.level.file.string(), scene.objects.size(), drawn_triangle_count(scene), scene.materials.size(),
         scene.lights.size() + stage.level().lights.size(), stage.level().styles.size(),
-        stage.level().cameras.size() + scene.cameras.size(), stage.level().paths.size(), found.size() + leaks.size());
+        stage.level().cameras.size() + scene.cameras.size(), stage.level().paths.size(), found.size() + leaks.size()));
     if (arguments.json.empty()) return;
     JsonValue warnings = JsonValue::array();
     for (const std::string& doubt : found) warnings.push(doubt);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <iostream>
-
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/compiled/level.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
+#include "hatchway/io/compiled/write.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "program/arguments.hpp"
@@ -53,7 +53,8 @@ void compile(const CompileArguments& arguments)
 {
     const Level level = read_level_with(arguments.file, {});
     if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
-    const fs::path out = arguments.out.empty() ? compiled_level_path(level, arguments.cache) : arguments.out;
+    const fs::path out =
+        arguments.out.empty() ? opened_cache({arguments.cache}).path() / compiled_level_name(level) : arguments.out;
     const std::vector<OutputFile> outputs{
         {"--out", arguments.out}, {"--prt", arguments.prt}, {"--json", arguments.json}};
     require_outputs(outputs, {arguments.file});
@@ -63,15 +64,15 @@ void compile(const CompileArguments& arguments)
     options.effort = pvs_effort(arguments.effort);
     options.threads = arguments.threads;
     const CompiledLevel compiled = compile_world(level, *world, options);
-    keep_compiled_level(out, compiled, world->chunks);
+    write_file_atomically(out, std::span<const std::byte>(compiled_level_bytes(compiled, world->chunks)));
     if (!arguments.prt.empty()) write_file_atomically(arguments.prt, portal_file_text(compiled.visibility.portals));
     if (!arguments.json.empty()) write_json(arguments.json, result_json(out, compiled));
     const VisibilityStats& stats = compiled.visibility.stats;
-    std::cout << fmt::format(
-        "{}: {} leaves in {} clusters, {} portals ({} coarse); {:.1f} % of the triangles may be "
-        "seen from a cluster; {} bytes, {:.2f} s\n",
-        out.string(), stats.leaves, stats.clusters, stats.portals, stats.coarse_portals,
-        100.0 * stats.average_visible_share, fs::file_size(out), stats.seconds);
+    print_line(
+        fmt::format("{}: {} leaves in {} clusters, {} portals ({} coarse); {:.1f} % of the triangles may be "
+                    "seen from a cluster; {} bytes, {:.2f} s",
+                    out.string(), stats.leaves, stats.clusters, stats.portals, stats.coarse_portals,
+                    100.0 * stats.average_visible_share, fs::file_size(out), stats.seconds));
 }
 
 }  // namespace
@@ -85,7 +86,8 @@ void add_compile_command(CommandLine app)
     command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
     command.add_option("--pvs", arguments->effort, "How tight; walk and render take what is at least full")
         .check(one_of(kPvsEfforts));
-    command.add_option("--out", arguments->out, "The file; where walk and render find it").option_text("FILE");
+    command.add_option("--out", arguments->out, "The file; default: in the cache, where walk and render find it")
+        .option_text("FILE");
     add_cache_argument(command, arguments->cache);
     command
         .add_option("--prt", arguments->prt,

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <iostream>
-
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/drawing/scene_surfaces.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/stage/level_world.hpp"
@@ -102,7 +101,7 @@ void print_info(const LevelWorld& world, const MeshTotals& totals)
 {
     const SurfaceReport& report = totals.report;
     const VisibilityStats& visibility = world.visibility->stats;
-    std::cout << fmt::format(
+    print_lines(fmt::format(
         "model       {} objects, {} meshes, {} triangles ({} drawn)\n"
         "faces       {} removed, {} collinear, {} flips repaired\n"
         "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
@@ -116,7 +115,7 @@ void print_info(const LevelWorld& world, const MeshTotals& totals)
         report.complex_edges, report.artist_edges, report.stitched_edges, report.inconsistent_edges,
         totals.per_edge(totals.bytes.edges), totals.per_edge(totals.bytes.clusters),
         totals.per_face(totals.bytes.planes), visibility.leaves, visibility.portals, visibility.coarse_portals,
-        visibility.structure_polygons, 100.0 * visibility.average_visible_share, visibility.seconds);
+        visibility.structure_polygons, 100.0 * visibility.average_visible_share, visibility.seconds));
 }
 
 /// What the rules of a level name: every node with objects, by its path, with the materials of its objects.
@@ -129,8 +128,8 @@ void print_nodes(const Scene& scene)
     }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         if (!materials[i].empty())
-            std::cout << fmt::format("node        #{:<5} {:<40} {}\n", i, scene.nodes[i].path,
-                                     fmt::join(materials[i], ", "));
+            print_line(
+                fmt::format("node        #{:<5} {:<40} {}", i, scene.nodes[i].path, fmt::join(materials[i], ", ")));
 }
 
 void info(const InfoArguments& arguments)
@@ -146,7 +145,7 @@ void info(const InfoArguments& arguments)
     const MeshTotals totals = totals_of(world->scene);
     const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
     print_info(*world, totals);
-    std::cout << hatch_text(hatching);
+    print_lines(hatch_text(hatching));
     if (arguments.has_nodes) print_nodes(world->scene);
     if (arguments.json.empty()) return;
     JsonValue json = info_json(*world, totals);

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <iostream>
 
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "program/arguments.hpp"
@@ -83,7 +83,7 @@ void run_pvs(const PvsArguments& arguments)
     json.set("seconds", seconds);
     if (!arguments.rows.empty()) write_file_atomically(arguments.rows, rows_text(pvs.rows));
     if (!arguments.json.empty()) write_json(arguments.json, json);
-    std::cout << json.text();
+    print_lines(json.text());
 }
 
 }  // namespace

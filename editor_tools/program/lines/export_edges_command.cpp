@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <iostream>
 #include <numbers>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/gltf/edge_export.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "program/commands.hpp"
@@ -28,8 +28,8 @@ void export_model_edges(const ExportArguments& arguments)
     require_distinct({{"--out", arguments.out}}, {level.scene_file});
     const EdgeExport counts = export_edges(level.scene_file, level.project_root, arguments.out,
                                            static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0));
-    std::cout << fmt::format("{} primitives: {} edges drawn, {} may be silhouettes; {} primitives skipped\n",
-                             counts.primitives, counts.drawn_edges, counts.silhouette_edges, counts.skipped_primitives);
+    print_line(fmt::format("{} primitives: {} edges drawn, {} may be silhouettes; {} primitives skipped",
+                           counts.primitives, counts.drawn_edges, counts.silhouette_edges, counts.skipped_primitives));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <iostream>
 #include <numbers>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/drawing/level_lines.hpp"
 #include "hatchway/io/drawings/pdf_drawing.hpp"
 #include "hatchway/io/drawings/svg_drawing.hpp"
@@ -129,9 +129,9 @@ void draw_lines(const LinesArguments& arguments)
         timed_visible_lines(lines.objects(), camera, options, arguments.runs, seconds);
     write_results(arguments, found, lines, camera, level);
     const auto seen = std::count_if(found.begin(), found.end(), [](const auto& line) { return line.is_visible; });
-    std::cout << fmt::format("{} triangles, {} objects: {} visible and {} hidden lines in {:.1f} ms\n",
-                             drawn_triangle_count(scene), scene.objects.size(), seen,
-                             static_cast<std::ptrdiff_t>(found.size()) - seen, 1e3 * seconds);
+    print_line(fmt::format("{} triangles, {} objects: {} visible and {} hidden lines in {:.1f} ms",
+                           drawn_triangle_count(scene), scene.objects.size(), seen,
+                           static_cast<std::ptrdiff_t>(found.size()) - seen, 1e3 * seconds));
 }
 
 void add_picture_arguments(CommandLine command, LinesArguments& arguments)

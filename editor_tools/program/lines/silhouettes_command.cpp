@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <iostream>
 #include <numbers>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/drawing/scene_surfaces.hpp"
 #include "hatchway/geometry/silhouettes/silhouettes.hpp"
 #include "hatchway/io/json/out.hpp"
@@ -148,11 +148,11 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     if (!arguments.json.empty()) write_json(arguments.json, result_json(result));
     if (!arguments.dump_mesh.empty())
         write_json(arguments.dump_mesh, JsonValue::object().set("objects", std::move(meshes)));
-    std::cout << fmt::format(
-        "{} faces, {} edges: {} creases, {} candidates, {} silent, {} borders; {} silhouettes, {} "
-        "drawn contours\n",
-        result.faces, result.edges, result.creases, result.candidates, result.silent, result.borders,
-        result.silhouette_count, result.drawn_count);
+    print_line(
+        fmt::format("{} faces, {} edges: {} creases, {} candidates, {} silent, {} borders; {} silhouettes, {} "
+                    "drawn contours",
+                    result.faces, result.edges, result.creases, result.candidates, result.silent, result.borders,
+                    result.silhouette_count, result.drawn_count));
 }
 
 }  // namespace

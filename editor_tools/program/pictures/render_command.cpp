@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <iostream>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
@@ -134,8 +134,8 @@ void render(const RenderArguments& arguments)
         const fs::path file = picture_file(arguments, i);
         write_png(file, stage.renderer().read_picture());
         frames.push(stats_json(stats).set("file", file.string()).set("time_s", shots[i].time_s));
-        if (!is_path(arguments) || arguments.has_stats) std::cout << file.string() << '\n';
-        if (arguments.has_stats) std::cout << stats_text(stats);
+        if (!is_path(arguments) || arguments.has_stats) print_line(file.string());
+        if (arguments.has_stats) print_lines(stats_text(stats));
         progress.advance();
     }
     for (const std::string& message : stage.messages()) log_warning(message);

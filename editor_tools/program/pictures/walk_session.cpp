@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/folder_handle.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/render/view/camera_view.hpp"
@@ -16,7 +17,9 @@
 #include "hatchway/world/camera_path.hpp"
 #include "hatchway/world/looks.hpp"
 #include "program/level/level_doubts.hpp"
+#include "program/pictures/picture_name.hpp"
 #include "program/pictures/shots.hpp"
+#include "program/pictures/walk_cameras.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -24,6 +27,7 @@ namespace {
 
 constexpr double kSoftwareFps = 30.0, kDeviceFps = 60.0;
 constexpr double kFpsPull_s = 0.4;        // the rate on screen follows frames in about this time
+constexpr double kKeepEvery_s = 2.0;      // changes that are not saved outlive a kill when they are older
 constexpr double kAskAgain_s = 5.0;       // a question waits so long for the second press
 constexpr double kSmallestWindow_px = 1;  // a minimised window has none
 constexpr std::chrono::milliseconds kIdle(50);
@@ -79,6 +83,12 @@ void WalkSession::open(const StageOptions& stage_options)
 {
     stage_ = std::make_unique<Stage>(window_, stage_options);
     styles_ = std::make_unique<WalkStyles>(*stage_);
+    autosave_.reset();  // its number is free again
+    autosave_.emplace(stage_->level().file);
+    tell_result([this] {
+        const std::string left = autosave_->left();
+        return left.empty() ? std::string() : styles_->offer(left);
+    });
     build_worlds();
     window_.set_title(stage_->level().file.filename().string() + " - Hatchway");
 }
@@ -114,7 +124,10 @@ void WalkSession::run()
 {
     start_ = Clock::now();  // a style's time does not pass while a level is opened
     while (!window_.should_close()) frame();
-    if (styles_->has_unsaved()) log_warning("closed with style changes that were not saved");
+    if (styles_->has_unsaved())
+        log_warning(std::string("closed with style changes that were not saved") +
+                    (is_discarded_ ? "" : ": the next walk offers them"));
+    tell_result([this] { autosave_->keep(is_discarded_ ? std::string() : styles_->unsaved_text()); });
 }
 
 void WalkSession::frame()
@@ -122,12 +135,13 @@ void WalkSession::frame()
     const double now = now_s();
     const double seconds = std::exchange(last_frame_s_, now);
     take_input(now - seconds);
+    keep_unsaved();
     reload();
     if (window_.framebuffer_size_px().x < kSmallestWindow_px || window_.framebuffer_size_px().y < kSmallestWindow_px) {
         std::this_thread::sleep_for(kIdle);
         return;
     }
-    draw();
+    tell_result([this] { draw(); });
     // A software renderer has no display to wait for, and would take the whole machine.
     const double spare_s = now + 1.0 / kDeviceFps - now_s();
     if (is_software(window_.device()) && spare_s > 0.0)
@@ -156,6 +170,7 @@ void WalkSession::move(const PlayerInput& input, double seconds)
 
 void WalkSession::obey(const CommandCall& call)
 {
+    are_changes_kept_ = false;
     const auto cycle = [this](int direction) -> std::string {
         const auto object = aimed_object();
         return object ? styles_->cycle(*object, direction) : "There is nothing under the cross-hair";
@@ -217,7 +232,8 @@ void WalkSession::play_path()
 
 void WalkSession::quit()
 {
-    if (!styles_->has_unsaved() || now_s() < quit_asked_until_s_) return window_.close();
+    is_discarded_ = styles_->has_unsaved() && now_s() < quit_asked_until_s_;
+    if (!styles_->has_unsaved() || is_discarded_) return window_.close();
     quit_asked_until_s_ = now_s() + kAskAgain_s;
     tell("Styles were changed: Ctrl+S saves them, the same key again quits without", kAskAgain_s);
 }
@@ -232,6 +248,7 @@ std::string WalkSession::save_level()
     }
     const Camera now = camera();
     const std::string message = styles_->save_as(level_file, {now.eye_world, now.target_world}, options_.level.styles);
+    autosave_->keep(styles_->unsaved_text());
     options_.level.file = level_file;
     options_.level.styles.clear();
     const PlayerState kept = player_;
@@ -246,7 +263,9 @@ std::string WalkSession::save_picture()
     const glm::ivec2 size_px = glm::max(window_.framebuffer_size_px(), glm::ivec2(1));
     stage_->draw(view(size_px, window_.content_scale()),
                  {.samples = options_.samples.value_or(4), .use_pvs = !options_.level.without_pvs});
-    const fs::path file = free_picture_name({}, stage_->level().file);
+    const fs::path folder = stage_->level().file.parent_path();
+    const FolderLock lock{FolderHandle(folder)};
+    const fs::path file = free_picture_name(folder, stage_->level().file);
     write_png(file, stage_->renderer().read_picture());
     std::error_code unknown;
     const std::string where = fs::absolute(file, unknown).string();
@@ -258,12 +277,22 @@ void WalkSession::reload()
 {
     tell_result([this] {
         const Reload changed = stage_->reload_changed();
-        if (changed == Reload::nothing) return std::string();
+        if (changed == Reload::nothing) return;
         if (changed == Reload::world) build_worlds();
         build_own_collision();
         if (changed == Reload::world) player_ = in_world(player_, body_, collision());
         styles_->stage_changed();
-        return std::string();
+        are_changes_kept_ = false;
+    });
+}
+
+void WalkSession::keep_unsaved()
+{
+    if (are_changes_kept_ || now_s() < keep_next_s_) return;
+    keep_next_s_ = now_s() + kKeepEvery_s;
+    tell_result([this] {
+        autosave_->keep(styles_->unsaved_text());
+        are_changes_kept_ = true;
     });
 }
 
@@ -351,46 +380,16 @@ template <typename Action>
 void WalkSession::tell_result(Action action)
 {
     try {
-        tell(action());
-    } catch (const Error& error) {
-        log_error(error.what());
-        tell(error.what(), 2.0 * kAskAgain_s);
-    }
-}
-
-std::vector<Camera> walk_cameras(const Level& level, const Scene& scene)
-{
-    std::vector<Camera> cameras;
-    for (const auto& [name, camera] : level.cameras) {
-        cameras.push_back(camera);
-        cameras.back().name = name;
-    }
-    cameras.insert(cameras.end(), scene.cameras.begin(), scene.cameras.end());
-    return cameras;
-}
-
-Camera camera_named(const std::string& name, const Level& level, const Scene& scene)
-{
-    const std::vector<Camera> cameras = walk_cameras(level, scene);
-    std::vector<std::string> names;
-    for (const Camera& camera : cameras) {
-        if (camera.name == name) return camera;
-        names.push_back(camera.name);
-    }
-    throw Error({.what = fmt::format("--camera: there is no camera \"{}\"", name),
-                 .file = level.file.string(),
-                 .expected = names.empty() ? "no --camera: this level has none"
-                                           : fmt::format("one of: {}", fmt::join(names, ", "))});
-}
-
-fs::path free_picture_name(const fs::path& folder, const fs::path& level_file)
-{
-    const std::string name = level_file.filename().string();
-    const std::string stem = name.substr(0, name.find('.'));
-    for (int number = 1;; ++number) {
-        const fs::path file = folder / fmt::format("{}_{:03}.png", stem, number);
-        std::error_code failed;
-        if (!fs::exists(fs::symlink_status(file, failed))) return file;
+        if constexpr (std::is_void_v<decltype(action())>)
+            action();
+        else
+            tell(action());
+    } catch (const std::exception& error) {
+        // Nothing ends a walk but the walker. What fails at every frame is written once.
+        const std::string text = error.what();
+        const bool is_told = std::ranges::any_of(notices_, [&](const Notice& notice) { return notice.text == text; });
+        if (!is_told) log_error(text);
+        tell(text, 2.0 * kAskAgain_s);
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "hatchway/gl/window.hpp"
 #include "hatchway/stage/stage.hpp"
+#include "hatchway/walk/autosave.hpp"
 #include "hatchway/walk/controls.hpp"
 #include "hatchway/walk/frame_pacing.hpp"
 #include "hatchway/walk/pick.hpp"
@@ -66,6 +67,7 @@ class WalkSession {
     std::string save_level();
     std::string save_picture();
     void reload();
+    void keep_unsaved();
     void draw();
 
     double now_s() const;
@@ -75,7 +77,7 @@ class WalkSession {
     std::optional<ObjectId> aimed_object() const;
     WalkFacts facts(const FrameQuality& quality, const std::optional<ObjectId>& aimed, float width);
     void tell(const std::string& text, double seconds = 4.0);
-    /// Runs `action`, which may throw hw::Error, and tells what it returns or what went wrong.
+    /// Runs `action` and tells what it returns, or what it threw.
     template <typename Action>
     void tell_result(Action action);
 
@@ -83,6 +85,7 @@ class WalkSession {
     WalkOptions options_;
     std::unique_ptr<Stage> stage_;
     std::unique_ptr<WalkStyles> styles_;
+    std::optional<Autosave> autosave_;
     std::vector<Leak> leaks_;  ///< Where they are to be shown.
     PickWorld pick_world_;
     std::optional<CollisionWorld> own_collision_;  ///< Where some objects do not collide; else what is picked.
@@ -105,15 +108,9 @@ class WalkSession {
     bool are_statistics_shown_ = false;
     double quit_asked_until_s_ = -1.0;
     double save_asked_until_s_ = -1.0;
+    double keep_next_s_ = 0.0;
+    bool are_changes_kept_ = false;  ///< The autosave has what the styles have.
+    bool is_discarded_ = false;      ///< The walker said to quit without saving.
 };
-
-/// Level cameras, then the model's: what the digits 1..9 go to.
-std::vector<Camera> walk_cameras(const Level& level, const Scene& scene);
-
-/// Throws hw::Error that lists them when there is none of that name.
-Camera camera_named(const std::string& name, const Level& level, const Scene& scene);
-
-/// The first of hall_001.png, hall_002.png, ... that does not exist in `folder`.
-std::filesystem::path free_picture_name(const std::filesystem::path& folder, const std::filesystem::path& level_file);
 
 }  // namespace hw

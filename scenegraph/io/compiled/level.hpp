@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +14,8 @@
 
 namespace hw {
 
+class FolderHandle;
+
 /// Of the file's layout and of what build_visibility() makes of the same input: raised when either changes, so that old
 /// files are compiled anew.
 inline constexpr std::uint32_t kCompiledLevelVersion = 3;
@@ -26,18 +27,14 @@ struct CompiledLevel {
     Visibility visibility;
 };
 
-/// Where the compiled form of a level is kept: in the folder `.hatchway` beside the level, or in `cache_folder` under a
-/// name of its own for each level. Throws hw::Error if `.hatchway` is a link that leaves the level's project.
-std::filesystem::path compiled_level_path(const Level& level, const std::filesystem::path& cache_folder);
+/// The file of a level in a cache folder: the same wherever the level is named from, another for each level.
+std::string compiled_level_name(const Level& level);
 
-/// The compiled level at `file`, if there is one with this key and at least this effort. A damaged one is named in a
-/// message; an outdated one is only passed over.
-std::optional<CompiledLevel> find_compiled_level(const std::filesystem::path& file, std::uint64_t key, PvsEffort effort,
-                                                 const Scene& scene, std::span<const MeshChunks> chunks_of_mesh);
-
-/// Writes a compiled level where compiled_level_path() says; makes the last folder of the path if it is missing. Throws
-/// hw::Error when that cannot be, and for a folder that nobody may write into.
-void keep_compiled_level(const std::filesystem::path& file, const CompiledLevel& level,
-                         std::span<const MeshChunks> chunks_of_mesh);
+/// The compiled level in a cache folder, if there is one with this key and at least this effort. A damaged one, or a
+/// link, is named in a message; an outdated one is only passed over. Only a folder that nobody else writes into is to
+/// be believed: nothing here proves that the visibility is right.
+std::optional<CompiledLevel> find_compiled_level(const FolderHandle& cache, const std::string& name, std::uint64_t key,
+                                                 PvsEffort effort, const Scene& scene,
+                                                 std::span<const MeshChunks> chunks_of_mesh);
 
 }  // namespace hw

@@ -4,6 +4,7 @@
 #include "hatchway/io/compiled/lightmap_bytes.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <span>
 
@@ -18,6 +19,7 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::array<char, 8> kMagic{'H', 'W', 'L', 'I', 'G', 'H', 'T', '1'};
 constexpr int kMaxAtlasSide = 4096;
+constexpr std::uint16_t kInfiniteHalf = 0x7c00;  // and what is above is infinite, no number or negative
 
 class ByteWriter {
  public:
@@ -180,6 +182,7 @@ Lightmap lightmap_from_bytes(std::span<const std::byte> bytes, const Scene& scen
     Lightmap lightmap;
     lightmap.key = reader.take<std::uint64_t>();
     lightmap.luxels_per_m = reader.take<double>();
+    reader.require(lightmap.luxels_per_m >= 0.0 && std::isfinite(lightmap.luxels_per_m), "the density is impossible");
     lightmap.size = reader.take<glm::ivec2>();
     reader.require(lightmap.size.x > 0 && lightmap.size.y > 0 && lightmap.size.x <= kMaxAtlasSide &&
                        lightmap.size.y <= kMaxAtlasSide,
@@ -195,6 +198,8 @@ Lightmap lightmap_from_bytes(std::span<const std::byte> bytes, const Scene& scen
     }
     const std::uint64_t count = static_cast<std::uint64_t>(lightmap.size.x) * lightmap.size.y;
     lightmap.luxels = reader.take_all<std::array<std::uint16_t, 4>>(count);
+    for (const std::array<std::uint16_t, 4>& luxel : lightmap.luxels)
+        for (const std::uint16_t half : luxel) reader.require(half < kInfiniteHalf, "a luxel is no amount of light");
     reader.require(reader.is_at_end(), "bytes follow after the lightmap");
     for (ObjectId id = 0; id < scene.objects.size(); ++id) check_place(reader, lightmap, scene, id);
     return lightmap;

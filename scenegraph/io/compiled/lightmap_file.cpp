@@ -12,8 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The lightmap behind a link, which must not lead out of the project: neither a level's reader nor its baker asked for
-/// a file elsewhere.
+/// The lightmap, which must be no link: a level's reader did not ask for a file elsewhere.
 fs::path inside_project(const fs::path& file)
 {
     return resolve_inside(find_project_root(file), fs::absolute(file).parent_path(), file.filename().string(),
@@ -30,7 +29,7 @@ std::filesystem::path lightmap_path(const std::filesystem::path& level_file)
 
 void write_lightmap(const std::filesystem::path& file, const Lightmap& lightmap)
 {
-    write_file_atomically(inside_project(file), std::span<const std::byte>(lightmap_bytes(lightmap)));
+    write_file_atomically(file, std::span<const std::byte>(lightmap_bytes(lightmap)));
 }
 
 Lightmap read_lightmap(const std::filesystem::path& file, const Scene& scene)

@@ -11,6 +11,7 @@ namespace hw {
 namespace {
 
 constexpr double kPointsPerPixel = 72.0 / 96.0;
+constexpr const char* kDate = "2001-01-01T00:00:00Z";  // the same drawing has the same bytes on any day
 
 struct CairoFree {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
@@ -65,6 +66,7 @@ void write_pdf(const std::filesystem::path& file, const VectorDrawing& drawing)
     const std::unique_ptr<cairo_surface_t, CairoFree> surface(
         cairo_pdf_surface_create_for_stream(append_bytes, &bytes, size.x, size.y));
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawing.title.c_str());
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, kDate);
     const std::unique_ptr<cairo_t, CairoFree> cairo(cairo_create(surface.get()));
     draw(cairo.get(), drawing);
     cairo_surface_finish(surface.get());

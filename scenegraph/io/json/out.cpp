@@ -8,6 +8,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/plain_text.hpp"
 
 namespace hw {
 namespace {
@@ -18,7 +19,7 @@ constexpr int kExactDigits = 17;
 std::string quoted(const std::string& text)
 {
     // Names come from models, whose UTF-8 nobody has checked.
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return plain_json(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files.hpp"
+#include "hatchway/core/folder_handle.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/json/places.hpp"
 #include "hatchway/io/json/text.hpp"
@@ -17,6 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kFallbackIndent = 4;
+constexpr int kMostTries = 20;
 
 std::string quoted(const std::string& text)
 {
@@ -173,13 +175,24 @@ std::string with_assignments(std::string text, std::span<const StyleAssignment> 
     return text;
 }
 
-void write_assignments(const std::filesystem::path& level_file, std::span<const StyleAssignment> assignments)
+LevelTexts edit_level_file(const std::filesystem::path& level_file, const AssignmentsFor& assignments_for)
 {
     if (level_file.extension() != ".json")
         throw Error(
             {.what = "styles cannot be saved in a model", .file = level_file.string(), .expected = "a level (.json)"});
-    const std::string text = read_text_file(level_file, limits::kMaxLevelFileBytes);
-    write_file_atomically(level_file, with_assignments(text, assignments, level_file));
+    const FolderHandle folder(level_file.parent_path());
+    const FolderLock lock(folder);
+    for (int i = 0; i < kMostTries; ++i) {
+        const std::string before = read_text_file(level_file, limits::kMaxLevelFileBytes);
+        const std::string after =
+            with_assignments(before, assignments_for(parse_level(before, level_file)), level_file);
+        // An editor takes no lock: what it wrote by now is read anew.
+        if (read_text_file(level_file, limits::kMaxLevelFileBytes) != before) continue;
+        if (after != before)
+            folder.write(level_file.filename().string(), std::as_bytes(std::span(after.data(), after.size())));
+        return {before, after};
+    }
+    throw Error({.what = "changes faster than it can be saved", .file = level_file.string()});
 }
 
 }  // namespace hw

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "hatchway/world/presence.hpp"
+#include "hatchway/world/level.hpp"
 
 namespace hw {
 
@@ -23,8 +25,19 @@ struct StyleAssignment {
 std::string with_assignments(std::string text, std::span<const StyleAssignment> assignments,
                              const std::filesystem::path& file);
 
-/// Edits the level file itself, after proving that the new text reads as the old level plus the assignments. On an
-/// error the file is as it was. A bare model cannot be edited: throws hw::Error.
-void write_assignments(const std::filesystem::path& level_file, std::span<const StyleAssignment> assignments);
+/// What to add to a level as its file has it now.
+using AssignmentsFor = std::function<std::vector<StyleAssignment>(const Level& level)>;
+
+/// A level file before it was edited and after.
+struct LevelTexts {
+    std::string before;
+    std::string after;
+};
+
+/// Edits the level file itself, after proving that the new text reads as the old level plus the assignments. Whoever
+/// edits the same file this way meanwhile waits, so that nobody's change is lost; what a text editor wrote meanwhile is
+/// taken up. A link is replaced by a file. On an error the file is as it was. A bare model cannot be edited: throws
+/// hw::Error.
+LevelTexts edit_level_file(const std::filesystem::path& level_file, const AssignmentsFor& assignments_for);
 
 }  // namespace hw

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/level/keys.hpp"
 
 namespace hw {
@@ -262,7 +263,7 @@ std::string level_schema(const std::vector<StyleSchema>& plugins)
                    {"title", "Hatchway level"},
                    {"description", "Made by `hatchway schema` from the lists that read level files."}};
     schema.update(SchemaWriter(plugins).object_schema(level));
-    return schema.dump(2) + '\n';
+    return plain_json(schema.dump(2)) + '\n';
 }
 
 }  // namespace hw

@@ -2,18 +2,17 @@
 #include "hatchway/io/compiled/level.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
-#include <fstream>
 #include <random>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/folder_handle.hpp"
 #include "hatchway/core/hash.hpp"
-#include "hatchway/io/compiled/packed_rows.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
 #include "hatchway/io/compiled/read.hpp"
 #include "hatchway/io/compiled/write.hpp"
+#include "tests/temporary_folder.hpp"
 #include "tests/world/scene_builder.hpp"
 
 namespace {
@@ -113,13 +112,6 @@ struct Signature {
         const std::uint64_t value = hw::hash_bytes(std::span(bytes).subspan(content, size));
         std::memcpy(bytes.data() + hash, &value, sizeof value);
     }
-};
-
-/// A folder that goes away with the test.
-struct Folder {
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    fs::path path = fs::temp_directory_path() / ("hatchway_compiled_" + std::to_string(::getpid()));
 };
 
 hw::Level level_in(const fs::path& folder)
@@ -259,76 +251,46 @@ TEST(compiled_level, is_known_by_what_decides_about_sight_and_by_nothing_else)
     EXPECT_TRUE(changes([](hw::Scene&, hw::Level& l) { l.structure = std::vector<std::string>{"n0"}; }));
 }
 
-TEST(compiled_level, is_kept_beside_the_level_and_found_again)
+TEST(compiled_level, is_kept_in_a_folder_and_found_again)
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     const Rooms rooms;
-    const fs::path file = hw::compiled_level_path(level_in(folder.path), {});
-    EXPECT_EQ(file.parent_path().filename(), ".hatchway");
+    const hw::FolderHandle cache(folder.path());
+    const std::string name = hw::compiled_level_name(level_in(folder.path()));
     const auto find = [&](std::uint64_t key, hw::PvsEffort effort) {
-        return hw::find_compiled_level(file, key, effort, rooms.scene, rooms.chunks).has_value();
+        return hw::find_compiled_level(cache, name, key, effort, rooms.scene, rooms.chunks).has_value();
     };
     EXPECT_FALSE(find(rooms.level.key, hw::PvsEffort::full));
-    hw::keep_compiled_level(file, rooms.level, rooms.chunks);
+    cache.write(name, hw::compiled_level_bytes(rooms.level, rooms.chunks));
     EXPECT_TRUE(find(rooms.level.key, hw::PvsEffort::full));
     EXPECT_TRUE(find(rooms.level.key, hw::PvsEffort::fast));
     EXPECT_FALSE(find(rooms.level.key, hw::PvsEffort::exact)) << "less than what is wanted";
     EXPECT_FALSE(find(rooms.level.key + 1, hw::PvsEffort::full)) << "made from something else";
-    std::ofstream(file) << "damaged";
+    folder.write(name, "damaged");
     EXPECT_FALSE(find(rooms.level.key, hw::PvsEffort::full));
-    hw::keep_compiled_level(file, rooms.level, rooms.chunks);
-    EXPECT_TRUE(find(rooms.level.key, hw::PvsEffort::full)) << "rebuilt over the damaged one";
 }
 
-TEST(compiled_level, a_folder_that_is_write_protected_stays_as_it_is)
+TEST(compiled_level, is_not_taken_from_behind_a_link)
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     const Rooms rooms;
-    const fs::path file = hw::compiled_level_path(level_in(folder.path), {});
-    fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_THROW(hw::keep_compiled_level(file, rooms.level, rooms.chunks), hw::Error);
-    EXPECT_TRUE(fs::is_empty(folder.path));
-    fs::permissions(folder.path, fs::perms::owner_all);
+    const std::string name = hw::compiled_level_name(level_in(folder.path()));
+    hw::FolderHandle(folder.path()).write("elsewhere", hw::compiled_level_bytes(rooms.level, rooms.chunks));
+    fs::create_symlink("elsewhere", folder.path() / name);
+    EXPECT_FALSE(hw::find_compiled_level(hw::FolderHandle(folder.path()), name, rooms.level.key, hw::PvsEffort::full,
+                                         rooms.scene, rooms.chunks));
 }
 
-TEST(compiled_level, a_link_never_leads_out_of_the_project)
+TEST(compiled_level, has_a_short_name_of_its_own_in_a_cache_folder)
 {
-    const Folder folder;
-    fs::create_directories(folder.path / "project");
-    fs::create_directories(folder.path / "elsewhere");
-    fs::create_directory_symlink(folder.path / "elsewhere", folder.path / "project" / ".hatchway");
-    EXPECT_THROW(hw::compiled_level_path(level_in(folder.path / "project"), {}), hw::Error);
-}
-
-TEST(compiled_level, levels_of_one_name_do_not_meet_in_a_cache_folder)
-{
-    const Folder folder;
-    const fs::path one = hw::compiled_level_path(level_in(folder.path / "one"), folder.path);
-    const fs::path two = hw::compiled_level_path(level_in(folder.path / "two"), folder.path);
-    EXPECT_NE(one, two);
-    EXPECT_EQ(one.parent_path(), folder.path);
-}
-
-TEST(packed_rows, come_back_whatever_their_bits)
-{
-    std::mt19937 random(3);
-    for (const int columns : {0, 1, 7, 8, 63, 64, 65, 1000}) {
-        hw::LeafRows rows(20, columns);
-        for (int row = 0; row < 20; ++row)  // from empty over noise to full
-            for (int column = 0; column < columns; ++column)
-                if (static_cast<int>(random() % 19) < row) rows.show(row, column);
-        const hw::PackedRows packed = hw::pack_rows(rows);
-        const auto back = hw::unpack_rows(packed.ends, packed.bytes, 20, columns);
-        ASSERT_TRUE(back.has_value()) << columns;
-        for (int row = 0; row < 20; ++row)
-            EXPECT_TRUE(std::equal(rows.row(row).begin(), rows.row(row).end(), back->row(row).begin())) << columns;
-    }
-}
-
-TEST(packed_rows, of_long_runs_are_short)
-{
-    hw::LeafRows rows(10, 10'000);
-    for (int row = 0; row < 10; ++row)
-        for (int column = 100 * row; column < 5000 + row; ++column) rows.show(row, column);
-    EXPECT_LT(hw::pack_rows(rows).bytes.size(), 100u);
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "one");
+    fs::create_directory_symlink("one", folder.path() / "alias");
+    const auto name_in = [&](const char* place) { return hw::compiled_level_name(level_in(folder.path() / place)); };
+    EXPECT_NE(name_in("one"), name_in("two"));
+    EXPECT_EQ(name_in("one"), name_in("alias")) << "the same level";
+    hw::Level level;
+    std::string long_name(246, 'x');
+    level.file = folder.path() / long_name.append(".glb");
+    EXPECT_LT(hw::compiled_level_name(level).size(), 40u);
 }

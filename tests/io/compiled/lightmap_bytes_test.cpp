@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "hatchway/core/error.hpp"
 #include "hatchway/world/light/bake.hpp"
 #include "hatchway/world/light/random.hpp"
@@ -29,6 +31,20 @@ TEST(lightmap_bytes, damaged_or_cut_short_is_refused)
             bad[mixed(i) % bad.size()] ^= static_cast<std::byte>(1u << (mixed(i + 77) % 8));
         EXPECT_THROW(lightmap_from_bytes(bad, sun.scene, "sun.light"), Error);
     }
+}
+
+TEST(lightmap_bytes, light_that_is_no_amount_is_refused)
+{
+    const LightCase& sun = case_named("sun");
+    const Lightmap good = bake_lightmap(sun.scene, sun.sources, {.luxels_per_m = 1.0, .samples = 8});
+    for (const std::uint16_t half : {0x7c00, 0x7e00, 0x8000, 0xfc00}) {
+        Lightmap bad = good;
+        bad.luxels[0][1] = half;
+        EXPECT_THROW(lightmap_from_bytes(lightmap_bytes(bad), sun.scene, "sun.light"), Error) << half;
+    }
+    Lightmap bad = good;
+    bad.luxels_per_m = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(lightmap_from_bytes(lightmap_bytes(bad), sun.scene, "sun.light"), Error);
 }
 
 TEST(lightmap_bytes, of_another_scene_is_refused)

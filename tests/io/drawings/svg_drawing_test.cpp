@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "hatchway/core/files.hpp"
 #include "hatchway/io/drawings/pdf_drawing.hpp"
@@ -65,4 +67,14 @@ TEST(vector_drawing, pdf_is_a_page_of_the_drawings_size)
     const std::string pdf = hw::read_text_file(folder.path() / "drawing.pdf", 1 << 20);
     EXPECT_EQ(pdf.rfind("%PDF-1.", 0), 0u);
     EXPECT_NE(pdf.find("/MediaBox [ 0 0 75 37.5 ]"), std::string::npos);
+}
+
+TEST(vector_drawing, pdf_is_the_same_bytes_on_any_day)
+{
+    const TemporaryFolder folder;
+    hw::write_pdf(folder.path() / "one.pdf", drawing());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    hw::write_pdf(folder.path() / "two.pdf", drawing());
+    EXPECT_EQ(hw::read_text_file(folder.path() / "one.pdf", 1 << 20),
+              hw::read_text_file(folder.path() / "two.pdf", 1 << 20));
 }

@@ -1,6 +1,8 @@
 #include "hatchway/io/level/edit.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <random>
 
@@ -38,6 +40,10 @@ class EditedLevel {
     std::string edit(const std::string& text, const Assignments& assignments) const
     {
         return hw::with_assignments(text, assignments, file_);
+    }
+    hw::LevelTexts save(const Assignments& assignments) const
+    {
+        return hw::edit_level_file(file_, [&](const hw::Level&) { return assignments; });
     }
     hw::Level parse(const std::string& text) const { return hw::parse_level(text, file_); }
     const fs::path& file() const { return file_; }
@@ -241,19 +247,66 @@ TEST(level_edit, every_byte_of_a_level_stays_and_saying_it_again_changes_nothing
 TEST(level_edit, writing_changes_the_file_and_an_error_does_not)
 {
     const EditedLevel level;
-    const Assignments assignments{{.nodes = "A", .style = "ink"}};
-    hw::write_assignments(level.file(), assignments);
+    const hw::LevelTexts texts = level.save({{.nodes = "A", .style = "ink"}});
+    EXPECT_EQ(texts.before, kLevel);
+    EXPECT_EQ(texts.after, hw::read_text_file(level.file(), 10000));
     EXPECT_EQ(hw::read_level(level.file()).assign.back().nodes, "A");
 
     hw::write_file_atomically(level.file(), std::string_view("{ broken"));
-    EXPECT_THROW(hw::write_assignments(level.file(), assignments), hw::Error);
+    EXPECT_THROW(level.save({{.nodes = "A", .style = "ink"}}), hw::Error);
     EXPECT_EQ(hw::read_text_file(level.file(), 1000), "{ broken");
+}
+
+TEST(level_edit, a_level_that_is_a_link_is_replaced_and_what_it_leads_to_stays)
+{
+    const EditedLevel level;
+    const fs::path link = level.file().parent_path() / "link.level.json";
+    fs::create_symlink(level.file().filename(), link);
+    hw::edit_level_file(link, [](const hw::Level&) { return Assignments{{.nodes = "A", .style = "ink"}}; });
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(link)));
+    EXPECT_EQ(hw::read_level(link).assign.back().nodes, "A");
+    EXPECT_EQ(hw::read_text_file(level.file(), 10000), kLevel);
+}
+
+TEST(level_edit, what_an_editor_wrote_while_the_changes_were_made_is_kept)
+{
+    const EditedLevel level;
+    int asked = 0;
+    hw::edit_level_file(level.file(), [&](const hw::Level&) {
+        if (asked++ == 0) {
+            std::string text = kLevel;
+            text.replace(text.find("12"), 2, "13");
+            hw::write_file_atomically(level.file(), text);
+        }
+        return Assignments{{.nodes = "A", .style = "ink"}};
+    });
+    EXPECT_EQ(hw::read_level(level.file()).exposure_ev, 13.0);
+    EXPECT_EQ(hw::read_level(level.file()).assign.back().nodes, "A");
+}
+
+TEST(level_edit, no_save_of_two_processes_at_once_is_lost)
+{
+    const EditedLevel level;
+    constexpr int kSaves = 60;
+    const auto save_all = [&](const std::string& name) {
+        for (int i = 0; i < kSaves; ++i) level.save({{.nodes = name + std::to_string(i), .style = "ink"}});
+    };
+    const pid_t other = ::fork();
+    if (other == 0) {
+        save_all("B");
+        ::_exit(0);
+    }
+    save_all("A");
+    int status = 0;
+    ::waitpid(other, &status, 0);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(hw::read_level(level.file()).assign.size(), 2u + 2u * kSaves);
 }
 
 TEST(level_edit, a_bare_model_cannot_be_edited)
 {
     const EditedLevel level;
-    const Assignments assignments{{.nodes = "A", .style = "ink"}};
-    EXPECT_THAT(error_of([&] { hw::write_assignments(level.file().parent_path() / "hall.glb", assignments); }).expected,
+    const auto nothing = [](const hw::Level&) { return Assignments(); };
+    EXPECT_THAT(error_of([&] { hw::edit_level_file(level.file().parent_path() / "hall.glb", nothing); }).expected,
                 testing::HasSubstr(".json"));
 }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hatchway/world/level.hpp"
+
+namespace hw {
+
+/// Level cameras, then the model's: what the digits 1..9 go to.
+std::vector<Camera> walk_cameras(const Level& level, const Scene& scene);
+
+/// Throws hw::Error that lists them when there is none of that name.
+Camera camera_named(const std::string& name, const Level& level, const Scene& scene);
+
+}  // namespace hw

@@ -1,0 +1,87 @@
+#include "hatchway/core/folder_draft.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "hatchway/core/error.hpp"
+#include "hatchway/core/temporary_name.hpp"
+
+namespace hw {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr unsigned kFolderMode = 0777;  // less what the process's mask takes
+
+fs::path without_last_slash(const fs::path& path)
+{
+    return path.has_filename() ? path : path.parent_path();
+}
+
+FolderHandle made_beside(const FolderHandle& parent, std::string& name)
+{
+    remove_abandoned(parent);
+    while (true) {
+        name = temporary_name();
+        FolderHandle folder = parent.made_folder(name, kFolderMode);
+        if (lock_temporary(folder.descriptor())) return folder;
+    }
+}
+
+[[noreturn]] void throw_not_put(const fs::path& place)
+{
+    const bool cannot_exchange = errno == EINVAL || errno == ENOSYS;
+    throw Error({.what = std::string("the folder cannot be put there: ") + std::strerror(errno),
+                 .file = place.string(),
+                 .expected = cannot_exchange ? "a new name, since this file system cannot exchange folders" : ""});
+}
+
+}  // namespace
+
+FolderDraft::FolderDraft(const fs::path& place)
+    : parent_(without_last_slash(place).parent_path()),
+      name_(without_last_slash(place).filename().string()),
+      folder_(made_beside(parent_, temporary_))
+{
+}
+
+FolderDraft::~FolderDraft()
+{
+    if (!temporary_.empty()) remove_flat_folder(parent_, temporary_);
+}
+
+void FolderDraft::sync() const
+{
+    ::fsync(folder_.descriptor());
+}
+
+void FolderDraft::put()
+{
+    sync();
+    const int parent = parent_.descriptor();
+    struct stat status = {};
+    const bool is_there = ::fstatat(parent, name_.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+    // Both names change at once; what was there is then removed under the temporary one.
+    const unsigned how = is_there ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+    if (::renameat2(parent, temporary_.c_str(), parent, name_.c_str(), how) != 0) throw_not_put(parent_.path() / name_);
+    ::fsync(parent);
+    if (is_there && !S_ISDIR(status.st_mode)) ::unlinkat(parent, temporary_.c_str(), 0);
+    if (is_there && S_ISDIR(status.st_mode)) remove_flat_folder(parent_, temporary_);
+    temporary_.clear();
+}
+
+void FolderDraft::put_new()
+{
+    sync();
+    const int parent = parent_.descriptor();
+    if (::renameat2(parent, temporary_.c_str(), parent, name_.c_str(), RENAME_NOREPLACE) != 0)
+        throw_not_put(parent_.path() / name_);
+    ::fsync(parent);
+    temporary_.clear();
+}
+
+}  // namespace hw

@@ -1,0 +1,70 @@
+#include "hatchway/core/user_folders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "hatchway/core/error.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace {
+namespace fs = std::filesystem;
+
+/// A home of its own for one test, with the process's environment put back at the end.
+class user_folders : public testing::Test {
+ protected:
+    user_folders()
+    {
+        set("HOME", home_.path());
+        for (const char* name : {"XDG_CACHE_HOME", "XDG_STATE_HOME"}) set(name, "");
+    }
+    ~user_folders() override
+    {
+        for (const auto& [name, value] : before_) ::setenv(name.c_str(), value.c_str(), 1);
+    }
+    void set(const std::string& name, const std::string& value)
+    {
+        if (const char* old = std::getenv(name.c_str())) before_.emplace_back(name, old);
+        ::setenv(name.c_str(), value.c_str(), 1);
+    }
+
+    TemporaryFolder home_;
+    std::vector<std::pair<std::string, std::string>> before_;
+};
+
+}  // namespace
+
+TEST_F(user_folders, are_made_for_the_user_alone)
+{
+    EXPECT_EQ(hw::user_cache_folder().path(), home_.path() / ".cache/hatchway");
+    EXPECT_EQ(hw::user_state_folder().path(), home_.path() / ".local/state/hatchway");
+    for (const char* name : {".cache/hatchway", ".local/state/hatchway"})
+        EXPECT_EQ(fs::status(home_.path() / name).permissions(), fs::perms::owner_all) << name;
+}
+
+TEST_F(user_folders, lie_where_the_environment_says)
+{
+    set("XDG_CACHE_HOME", home_.path() / "a/b");
+    EXPECT_EQ(hw::user_cache_folder().path(), home_.path() / "a/b/hatchway");
+    set("XDG_CACHE_HOME", "relative");
+    EXPECT_EQ(hw::user_cache_folder().path(), home_.path() / ".cache/hatchway");
+    set("HOME", "");
+    EXPECT_THROW(hw::user_cache_folder(), hw::Error);
+}
+
+TEST_F(user_folders, that_others_could_have_filled_are_refused)
+{
+    fs::create_directories(home_.path() / ".cache/elsewhere");
+    fs::create_directory_symlink("elsewhere", home_.path() / ".cache/hatchway");
+    EXPECT_THROW(hw::user_cache_folder(), hw::Error) << "a link";
+    fs::remove(home_.path() / ".cache/hatchway");
+    hw::user_cache_folder();
+    for (const fs::perms others : {fs::perms::group_write, fs::perms::others_write}) {
+        fs::permissions(home_.path() / ".cache/hatchway", fs::perms::owner_all | others);
+        EXPECT_THROW(hw::user_cache_folder(), hw::Error);
+    }
+    if (::geteuid() != 0) return;
+    fs::permissions(home_.path() / ".cache/hatchway", fs::perms::owner_all);
+    ASSERT_EQ(::chown((home_.path() / ".cache/hatchway").c_str(), 12345, 12345), 0);
+    EXPECT_THROW(hw::user_cache_folder(), hw::Error) << "somebody else's";
+}
