@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 /// A folder for one test, removed at its end.
 class TemporaryFolder {

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/files.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;

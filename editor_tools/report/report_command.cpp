@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"

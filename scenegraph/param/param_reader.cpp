@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 namespace hw {
 namespace {

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
-#include "hatchway/core/folder_draft.hpp"
+#include "hatchway/core/files/files.hpp"
+#include "hatchway/core/files/folder_draft.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/plugin_host/plugin_registry.hpp"
 

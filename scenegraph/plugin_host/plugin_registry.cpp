@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/plugin_host/library_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "hatchway/render/render_device.hpp"
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 namespace hw {
 

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/files/user_folders.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/progress.hpp"
-#include "hatchway/core/user_folders.hpp"
 #include "hatchway/io/compiled/key.hpp"
 #include "hatchway/io/compiled/write.hpp"
 #include "hatchway/stage/level_world.hpp"

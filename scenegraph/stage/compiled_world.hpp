@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 #include "hatchway/io/compiled/level.hpp"
 
 namespace hw {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
 #include "hatchway/stage/level_styles.hpp"

@@ -7,10 +7,10 @@
 #include <span>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/files/user_folders.hpp"
 #include "hatchway/core/hash.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
-#include "hatchway/core/user_folders.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 namespace hw {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/files.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/edit.hpp"

@@ -1,4 +1,4 @@
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/folder_draft.hpp"
+#include "hatchway/core/files/folder_draft.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {

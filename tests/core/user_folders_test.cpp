@@ -1,4 +1,4 @@
-#include "hatchway/core/user_folders.hpp"
+#include "hatchway/core/files/user_folders.hpp"
 
 #include <gtest/gtest.h>
 

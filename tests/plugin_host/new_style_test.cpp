@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "tests/plugin_host/plugin_tests.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/plugin_host/make_style.hpp"
 #include "hatchway/plugin_host/new_style.hpp"
 #include "tests/plugin_host/plugin_tests.hpp"

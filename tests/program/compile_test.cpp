@@ -153,8 +153,9 @@ TEST(compile, without_a_cache_folder_nothing_is_kept_and_one_line_says_so)
 {
     const PrismFolder folder;
     folder.write("file", "in the way");
-    const ProgramResult result = run_program({"render", folder.model(), "--size", "64x64", "--out", folder / "a.png"},
-                                             60.0, {"XDG_CACHE_HOME=" + (folder / "file/cache")});
+    const ProgramResult result =
+        run_program({"render", folder.model(), "--size", "64x64", "--out", folder / "a.png"}, 60.0,
+                    {"XDG_CACHE_HOME=" + (folder / "file/cache"), "MESA_SHADER_CACHE_DISABLE=true"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.err, HasSubstr("--cache"));
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

@@ -88,9 +88,9 @@ TEST(map_program, replaces_a_map_whole_and_no_other_folder)
     };
     const std::string place = folder / "map";
     ASSERT_EQ(map(place, "256", {"--preview", place + "/preview.png"}).exit_code, 0);
-    ASSERT_TRUE(std::filesystem::exists(place + "/level_4.png"));
+    ASSERT_TRUE(std::filesystem::exists(place + "/level_8.png"));
     ASSERT_EQ(map(place, "64", {"--preview", place + "/preview.png"}).exit_code, 0);
-    EXPECT_FALSE(std::filesystem::exists(place + "/level_4.png")) << "a level of the map before";
+    EXPECT_FALSE(std::filesystem::exists(place + "/level_8.png")) << "a level of the map before";
     folder.write("map/notes.txt", "mine");
     for (const std::string& out : {place, folder.path().string(), std::string(".")}) {
         const ProgramResult refused = map(out, "64");

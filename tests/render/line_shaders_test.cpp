@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/drawing/line_width.hpp"
 #include "hatchway/drawing/stroke_shape.hpp"
 #include "hatchway/geometry/lines/line_crowding.hpp"

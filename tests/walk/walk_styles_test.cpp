@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/io/level/edit.hpp"
 #include "hatchway/io/level/file.hpp"

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 namespace hw::measure {
 namespace {

@@ -5,7 +5,7 @@
 #include <glm/trigonometric.hpp>
 #include <string>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/maps/hatch_map.hpp"
 #include "hatchway/maps/ink_map.hpp"

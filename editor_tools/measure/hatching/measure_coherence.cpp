@@ -7,7 +7,7 @@
 #include <random>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/folder_draft.hpp"
+#include "hatchway/core/files/folder_draft.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/drawings/svg_strokes.hpp"

@@ -1,5 +1,5 @@
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/level/schema.hpp"
 #include "hatchway/plugin_host/make_style.hpp"

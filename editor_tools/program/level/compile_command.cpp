@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/compiled/level.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
 #include "hatchway/io/json/out.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/render/view/camera_view.hpp"

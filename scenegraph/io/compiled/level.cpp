@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 #include "hatchway/core/hash.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"

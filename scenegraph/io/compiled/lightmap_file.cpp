@@ -1,7 +1,7 @@
 #include "hatchway/io/compiled/lightmap_file.hpp"
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/io/compiled/lightmap_bytes.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 namespace hw {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 namespace hw {
 namespace {

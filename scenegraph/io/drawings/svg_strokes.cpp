@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/log.hpp"
 
 namespace hw {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/geometry/surface/surface.hpp"
 #include "hatchway/io/gltf/edges.hpp"
 #include "hatchway/io/gltf/mesh.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/gltf/check/check.hpp"
 #include "hatchway/io/gltf/glb_container.hpp"

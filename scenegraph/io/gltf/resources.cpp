@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 
 namespace hw {

@@ -1,7 +1,7 @@
 #include "hatchway/io/images/images.hpp"
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/io/images/jpeg.hpp"
 #include "hatchway/io/images/png.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/io/json/text.hpp"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/plain_text.hpp"
 
 namespace hw {

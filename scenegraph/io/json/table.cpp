@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/json/text.hpp"
 

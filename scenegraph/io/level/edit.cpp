@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/files.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/json/places.hpp"
 #include "hatchway/io/json/text.hpp"

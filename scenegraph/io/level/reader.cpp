@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/srgb.hpp"
 #include "hatchway/io/level/inherited_styles.hpp"
 #include "hatchway/param/param_reader.hpp"

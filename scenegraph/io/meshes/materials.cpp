@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/srgb.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/meshes/import.hpp"

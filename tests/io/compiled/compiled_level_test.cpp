@@ -7,7 +7,7 @@
 #include <random>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 #include "hatchway/core/hash.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
 #include "hatchway/io/compiled/read.hpp"

@@ -35,7 +35,7 @@ TEST(lightmap_bytes, damaged_or_cut_short_is_refused)
 
 TEST(lightmap_bytes, light_that_is_no_amount_is_refused)
 {
-    const LightCase& sun = case_named("sun");
+    const LightCase& sun = light_case_named("sun");
     const Lightmap good = bake_lightmap(sun.scene, sun.sources, {.luxels_per_m = 1.0, .samples = 8});
     for (const std::uint16_t half : {0x7c00, 0x7e00, 0x8000, 0xfc00}) {
         Lightmap bad = good;

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/io/drawings/pdf_drawing.hpp"
 #include "tests/temporary_folder.hpp"
 

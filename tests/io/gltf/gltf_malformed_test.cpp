@@ -4,7 +4,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/gltf/import.hpp"
 #include "tests/io/expect_error.hpp"

@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "tests/io/expect_error.hpp"
 #include "tests/temporary_folder.hpp"

@@ -137,7 +137,7 @@ TEST_F(links, that_lead_back_from_two_builds_of_a_style_end_no_command)
     fs::copy_file(HATCHWAY_BUILD_DIR "/lib/hatchway/plugins/photoreal.so", folder_ / "plugins/photoreal.so");
     fs::create_directory_symlink(style, folder_ / "plugins/photoreal");
     for (const auto& entry : fs::directory_iterator(HATCHWAY_SOURCE_DIR "/npr_plugins/photoreal"))
-        fs::copy(entry.path(), style + "/" + entry.path().filename().string());
+        fs::copy(entry.path(), style + "/" + entry.path().filename().string(), fs::copy_options::overwrite_existing);
     const ProgramResult result =
         run_program({"check", strange("prism.glb"), "--plugin-dir", folder_ / "plugins"}, 20.0);
     EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 namespace hw {
 

@@ -1,4 +1,4 @@
-#include "hatchway/core/folder_draft.hpp"
+#include "hatchway/core/files/folder_draft.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/temporary_name.hpp"
+#include "hatchway/core/files/temporary_name.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 #include <set>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "hatchway/core/temporary_name.hpp"
+#include "hatchway/core/files/temporary_name.hpp"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 #include <tuple>
 #include <vector>
 
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 namespace hw {
 namespace {

@@ -1,6 +1,6 @@
 // Why a random temporary name: one made of the target's would be longer than a file system allows where the target's is
 // nearly so, and a stranger could have put a file there.
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
-#include "hatchway/core/temporary_name.hpp"
+#include "hatchway/core/files/files.hpp"
+#include "hatchway/core/files/temporary_name.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "hatchway/core/folder_handle.hpp"
+#include "hatchway/core/files/folder_handle.hpp"
 
 namespace hw {
 
