@@ -34,13 +34,13 @@ class EdgeMap final : public hw::ImagePass {
         program_ = programs.full_screen("edge_map.frag", operator_ == Operator::c1 ? "#define OPERATOR_C1 1\n" : "");
     }
 
-    hw::Image make(hw::Pass& pass) override
+    hw::Images make(hw::Pass& pass, hw::Items) override
     {
         hw::Uniforms uniforms;
         uniforms.set("normal_depth", pass.image({"normal_depth", {}}))
             .set("depth_scale", depth_scale_)
             .set("width_px", width_px_);
-        return pass.filter({.format = hw::PixelFormat::rg8, .has_depth = false, .clear = glm::vec4(1.0f)}, program_,
+        return pass.filter({.outputs = {{.format = hw::PixelFormat::rg8, .clear = glm::vec4(1.0f)}}}, program_,
                            uniforms);
     }
 

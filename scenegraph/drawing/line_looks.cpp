@@ -15,10 +15,12 @@ class LookRecorder final : public Pass {
 
     const View& view() const override { return view_; }
     Layer layer() const override { return Layer::opaque; }
-    Image image(const ImageKey&) const override { return {}; }
-    Image render(const TargetDesc&, Program, const Uniforms&, Items) override { return {}; }
-    Image filter(const TargetDesc&, Program, const Uniforms&) override { return {}; }
+    Items opaque_scene() const override { return {}; }
+    Image image(const ImageKey&, std::size_t) const override { return {}; }
+    Images render(const TargetDesc&, Program, const Uniforms&, Items) override { return {}; }
+    Images filter(const TargetDesc&, Program, const Uniforms&) override { return {}; }
     void surfaces(Program, const Uniforms&, Items) override {}
+    void lines(Program, const Uniforms&, const LineLook& look, Items items) override { lines(look, items); }
     void lines(const LineLook& look, Items items) override
     {
         for (const DrawItem& item : items)

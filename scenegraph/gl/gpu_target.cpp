@@ -57,8 +57,11 @@ GpuTarget::GpuTarget(const GpuTargetDesc& desc) : GpuTarget()
 void GpuTarget::attach_textures()
 {
     for (std::size_t i = 0; i < desc_.colours.size(); ++i) {
-        colours_.emplace_back(
-            TextureDesc{.format = desc_.colours[i], .size_px = desc_.size_px, .filter = desc_.filter});
+        colours_.emplace_back(TextureDesc{.format = desc_.colours[i].format,
+                                          .size_px = desc_.size_px,
+                                          .wrap_u = desc_.colours[i].wrap,
+                                          .wrap_v = desc_.colours[i].wrap,
+                                          .filter = desc_.colours[i].filter});
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), GL_TEXTURE_2D,
                                colours_[i].id(), 0);
     }
@@ -77,7 +80,7 @@ void GpuTarget::attach_textures()
 void GpuTarget::attach_multisampled()
 {
     for (std::size_t i = 0; i < desc_.colours.size(); ++i)
-        add_renderbuffer(renderbuffers_, desc_, format_constants(desc_.colours[i]).internal_format,
+        add_renderbuffer(renderbuffers_, desc_, format_constants(desc_.colours[i].format).internal_format,
                          GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
     if (desc_.has_depth) add_renderbuffer(renderbuffers_, desc_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
 }
@@ -118,7 +121,11 @@ void GpuTarget::clear(const glm::vec4& colour) const
 
 void GpuTarget::clear_colour(int attachment, const glm::vec4& colour) const
 {
-    glClearBufferfv(GL_COLOR, attachment, &colour[0]);
+    const bool is_known = attachment >= 0 && attachment < static_cast<int>(desc_.colours.size());
+    if (is_known && is_whole_number(desc_.colours[attachment].format))
+        glClearBufferuiv(GL_COLOR, attachment, &glm::uvec4(colour)[0]);
+    else
+        glClearBufferfv(GL_COLOR, attachment, &colour[0]);
 }
 
 void GpuTarget::clear_depth() const
@@ -169,7 +176,7 @@ glm::vec4 GpuTarget::read_pixel(int x, int from_top) const
     HW_ASSERT(desc_.samples == 1);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, id_);
     const int y = desc_.size_px.y - 1 - from_top;
-    const TextureFormat format = desc_.colours[0];
+    const TextureFormat format = desc_.colours[0].format;
     if (format == TextureFormat::rgba16f || format == TextureFormat::rgba32f || format == TextureFormat::r32f) {
         glm::vec4 value(0.0f);
         glReadPixels(x, y, 1, 1, GL_RGBA, GL_FLOAT, &value[0]);

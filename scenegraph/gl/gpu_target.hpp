@@ -8,14 +8,21 @@
 
 namespace hw {
 
+/// One colour attachment. Filter and wrap are those of its texture.
+struct TargetColour {
+    TextureFormat format = TextureFormat::rgba8;
+    FilterMode filter = FilterMode::nearest;
+    WrapMode wrap = WrapMode::clamp;
+    bool operator==(const TargetColour&) const = default;
+};
+
 struct GpuTargetDesc {
     glm::ivec2 size_px{1};
-    std::vector<TextureFormat> colours;  ///< Empty: depth alone.
-    bool has_depth = true;               ///< With stencil.
-    bool is_shadow_map = false;          ///< Depth is a texture with comparison, no stencil, no colours.
-    int samples = 1;                     ///< Over 1: colours cannot be sampled, only resolved.
-    bool has_depth_texture = false;      ///< Of one sample: shaders read depth by a sampler2D.
-    FilterMode filter = FilterMode::nearest;
+    std::vector<TargetColour> colours;  ///< Empty: depth alone.
+    bool has_depth = true;              ///< With stencil.
+    bool is_shadow_map = false;         ///< Depth is a texture with comparison, no stencil, no colours.
+    int samples = 1;                    ///< Over 1: colours cannot be sampled, only resolved.
+    bool has_depth_texture = false;     ///< Of one sample: shaders read depth by a sampler2D.
 };
 
 /// A framebuffer with its own attachments. Move-only.
@@ -32,6 +39,7 @@ class GpuTarget {
     void bind() const;
     /// Needs bind(). Colour and depth masks must be open.
     void clear(const glm::vec4& colour) const;
+    /// Whole numbers are cleared to those at and below `colour`.
     void clear_colour(int attachment, const glm::vec4& colour) const;
     void clear_depth() const;
     /// Averages the samples of the first colour into `to`, which has the same size and format.
@@ -40,7 +48,8 @@ class GpuTarget {
     void show_in_window(glm::ivec2 size_px) const;
     /// The first colour as stored, RGB, top row first. Not for multisampled targets.
     Pixels read_rgb() const;
-    /// One pixel of the first colour as floats; `from_top` counts rows from the top.
+    /// One pixel of the first colour, which does not hold whole numbers, as floats; `from_top` counts rows from the
+    /// top.
     glm::vec4 read_pixel(int x, int from_top) const;
 
     const GpuTexture& colour(int attachment = 0) const { return colours_[attachment]; }

@@ -80,12 +80,21 @@ FormatConstants format_constants(TextureFormat format)
             return {GL_R32F, GL_RED, GL_FLOAT, 4};
         case TextureFormat::rgba32f:
             return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+        case TextureFormat::r32ui:
+            return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
+        case TextureFormat::rg32ui:
+            return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
         case TextureFormat::depth24_stencil8:
             return {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4};
         case TextureFormat::depth24:
             break;
     }
     return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
+}
+
+bool is_whole_number(TextureFormat format)
+{
+    return format == TextureFormat::r32ui || format == TextureFormat::rg32ui;
 }
 
 int full_level_count(glm::ivec2 size_px)

@@ -15,6 +15,8 @@ enum class TextureFormat : std::uint8_t {
     rgba16f,
     r32f,
     rgba32f,
+    r32ui,
+    rg32ui,
     depth24_stencil8,
     depth24,  ///< Sampled with comparison: a shadow map.
 };
@@ -36,6 +38,9 @@ struct TextureDesc {
     FilterMode filter = FilterMode::linear;
     bool is_magnified_nearest = false;
 };
+
+/// Holds whole numbers, which are neither filtered nor blended.
+bool is_whole_number(TextureFormat format);
 
 /// How many levels a full chain has, down to 1 x 1.
 int full_level_count(glm::ivec2 size_px);

@@ -110,7 +110,7 @@ std::string shader_header(bool is_es)
     if (!is_es) return "#version 330 core\n#line 1 0\n";
     return "#version 300 es\n"
            "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp "
-           "sampler2DShadow;\n"
+           "sampler2DShadow;\nprecision highp usampler2D;\n"
            "#line 1 0\n";
 }
 

@@ -72,11 +72,11 @@ GuardedImagePass::GuardedImagePass(std::string name, std::unique_ptr<ImagePass> 
     needs_ = call_plugin(name_, "needs", "", "", [&] { return pass_->needs(); });
 }
 
-Image GuardedImagePass::make(Pass& pass)
+Images GuardedImagePass::make(Pass& pass, Items items)
 {
     if (has_failed_) return {};
     try {
-        return call_plugin(name_, "make", "", "", [&] { return pass_->make(pass); });
+        return call_plugin(name_, "make", "", "", [&] { return pass_->make(pass, items); });
     } catch (const Error& error) {
         has_failed_ = true;
         log_error(fmt::format("the image pass \"{}\" makes no image: {}", name_, error.what()));

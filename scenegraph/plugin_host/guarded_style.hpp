@@ -56,7 +56,7 @@ class GuardedImagePass final : public ImagePass {
 
     Needs needs() const override { return needs_; }
     void prepare(ProgramCache&) override {}
-    Image make(Pass& pass) override;
+    Images make(Pass& pass, Items items) override;
 
  private:
     std::string name_;

@@ -6,28 +6,20 @@
 
 #include "hatchway/render/device/surface_drawer.hpp"
 #include "hatchway/render/frame_plan.hpp"
+#include "hatchway/render/image_plan.hpp"
 #include "hatchway/render/loaded_scene.hpp"
 #include "hatchway/render/render_device.hpp"
 #include "hatchway/render/view/frame_options.hpp"
 
 namespace hw {
 
-/// A style, and what of the frame's products it reads.
-struct StyleReads {
-    std::string_view name = "of an image";
-    bool uses_shadow = false;
-    bool uses_lightmap = false;
-    Streams streams = {};
-    std::optional<EdgeNeed> edges = {};
-};
-
 /// One call of a style for faces, kept until all styles have said what they draw.
 struct FaceCall {
     Program program;
     Uniforms uniforms;
     std::vector<DrawItem> items;
-    StyleReads reads;
-    const std::map<MapKind, int>* style_maps = nullptr;
+    const Needs* needs = nullptr;                        ///< Of the style, or of the image pass.
+    const std::map<MapKind, int>* named_maps = nullptr;  ///< What `needs` name.
 };
 
 /// One view of a frame: what is seen from where, and the target that it is drawn into. A second view in the same frame,
@@ -35,14 +27,15 @@ struct FaceCall {
 struct FrameView {
     const View& camera;
     const FrameOptions& options;
-    GpuTarget& picture;  ///< Size of the camera's; multisampled when the options say so.
-    VisibleSet visible;  ///< What may be seen from the camera.
-    FramePlan plan;      ///< Which style draws what of `visible`.
+    GpuTarget& picture;               ///< Size of the camera's; multisampled when the options say so.
+    VisibleSet visible;               ///< What may be seen from the camera.
+    FramePlan plan;                   ///< Which style draws what of `visible`.
+    std::vector<WantedImage> images;  ///< What the styles of `visible` need, in the order of making.
 };
 
 /// What the phases leave for those after them. Textures belong to the device's pool and live as long as the frame.
 struct FrameResults {
-    std::map<ImageKey, Image> images;      ///< Made by image passes.
+    std::map<ImageKey, Images> images;     ///< Made by image passes.
     std::vector<FaceCall> opaque_faces;    ///< Of first styles, in the order of the calls.
     std::optional<VisibleSet> seen;        ///< What of `visible` no other face hides, when that was asked.
     std::uint32_t line_depth_texture = 0;  ///< The depth that lines are tested against: see lay_line_depth().
@@ -57,6 +50,7 @@ struct Frame {
     FrameResults& results;
 
     SurfaceDrawer faces() const { return {device.programs, device.state, scene.gpu}; }
+    const WholeItems& whole() const { return whole_items(view.plan, scene.input, view.visible); }
 };
 
 }  // namespace hw

@@ -1,10 +1,8 @@
 #include "hatchway/render/frame_phases.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "hatchway/render/opaque_faces.hpp"
-#include "hatchway/render/products/shared_images.hpp"
 #include "hatchway/render/style_pass.hpp"
 
 namespace hw {
@@ -12,10 +10,8 @@ namespace {
 
 StylePass pass_of(const Frame& frame, int style, PassStage stage)
 {
-    const Needs& needs = frame.scene.needs[style];
-    const StyleReads reads{frame.scene.input.styles[style].name, needs.shadow == ShadowNeed::main_light,
-                           needs.lightmap && frame.scene.lightmap.has_light(), needs.streams, needs.edges};
-    return {frame, stage, reads, frame.scene.style_maps[style]};
+    const LoadedScene& scene = frame.scene;
+    return {frame, stage, {scene.input.styles[style].name, scene.needs[style], scene.style_maps[style]}};
 }
 
 Style& style_of(const Frame& frame, int style)
@@ -60,41 +56,25 @@ void draw_opaque(const Frame& frame, PassStage stage, std::vector<DrawItem> Styl
 void draw_products(const Frame& frame)
 {
     LoadedScene& scene = frame.scene;
-    for (int i = 0; i < style_count(frame); ++i) {
-        if (frame.view.plan.styles[i].is_empty()) continue;
-        const Needs& needs = scene.needs[i];
+    const auto prepare = [&](const Needs& needs) {
         if (needs.lightmap) scene.lightmap.prepare();
         const bool is_all_baked = needs.lightmap && scene.is_all_baked;
         if (needs.shadow == ShadowNeed::main_light && !is_all_baked)
             scene.shadow.prepare(*scene.input.scene, scene.gpu, scene.light, frame.device.programs, frame.device.state);
-    }
+    };
+    for (int i = 0; i < style_count(frame); ++i)
+        if (!frame.view.plan.styles[i].is_empty()) prepare(scene.needs[i]);
+    for (const WantedImage& image : frame.view.images) prepare(scene.images.at(image.key).needs);
     stream_frame_block(frame.device.frame_block, frame.view.camera, scene.light, scene.shadow.frame());
 }
 
 void draw_images(const Frame& frame)
 {
-    const LoadedScene& scene = frame.scene;
-    RenderDevice& device = frame.device;
-    static const std::map<MapKind, int> kNoMaps;
-    std::set<ImageKey> wanted;
-    for (int i = 0; i < style_count(frame); ++i)
-        if (!frame.view.plan.styles[i].is_empty())
-            wanted.insert(scene.needs[i].images.begin(), scene.needs[i].images.end());
-    const auto needs_of = [&](const ImageKey& key) -> const Needs* {
-        const auto found = scene.images.find(key);
-        return found == scene.images.end() ? nullptr : &found->second.needs;
-    };
-    const EngineImageInput input{&frame.view.camera, &frame.view.visible, scene.input.scene, scene.input.objects,
-                                 scene.first_triangle};
-    for (const ImageKey& key : in_order_of_need(wanted, needs_of)) {
-        if (is_engine_image(key.pass)) {
-            frame.results.images[key] =
-                draw_engine_image(key.pass, input, frame.scene.gpu, device.programs, device.state, device.pool);
-            continue;
-        }
-        StylePass pass(frame, PassStage::images, {}, kNoMaps);
-        frame.results.images[key] = scene.images.at(key).pass->make(pass);
-        device.state.apply({});
+    for (const WantedImage& wanted : frame.view.images) {
+        const NeededImage& image = frame.scene.images.at(wanted.key);
+        StylePass pass(frame, PassStage::images, {wanted.key.pass, image.needs, image.maps});
+        frame.results.images[wanted.key] = image.pass->make(pass, items_of(wanted, frame.scene.input, frame.whole()));
+        frame.device.state.apply({});
     }
     for (int i = 0; i < style_count(frame); ++i) {
         const StyleItems& of_style = frame.view.plan.styles[i];
@@ -103,7 +83,7 @@ void draw_images(const Frame& frame)
         items.insert(items.end(), of_style.blended.begin(), of_style.blended.end());
         StylePass pass = pass_of(frame, i, PassStage::images);
         style_of(frame, i).images(pass, items);
-        device.state.apply({});
+        frame.device.state.apply({});
     }
 }
 
@@ -138,6 +118,15 @@ void draw_blended(const Frame& frame)
         style_of(frame, run.style).lines(pass, run.items);
         frame.device.state.apply({});
     }
+}
+
+void show_image(const Frame& frame, const ImageKey& key)
+{
+    const Image image = frame.results.images[key][0];
+    const char* defines = is_whole_number(image.format) ? "#define HW_WHOLE_NUMBERS 1\n" : "";
+    const LinkedProgram& program = frame.device.programs.engine("full_screen.vert", "show_image.frag", defines);
+    frame.view.picture.bind();
+    draw_full_screen(frame.device, program.gpu, Uniforms().set("shown", image));
 }
 
 }  // namespace hw

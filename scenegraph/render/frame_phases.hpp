@@ -16,5 +16,7 @@ void draw_surfaces(const Frame& frame);
 void draw_lines(const Frame& frame);
 /// Draws faces and lines of blended objects, back to front.
 void draw_blended(const Frame& frame);
+/// Draws an image of the frame over the picture: its first output.
+void show_image(const Frame& frame, const ImageKey& key);
 
 }  // namespace hw

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <set>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,14 +24,24 @@ struct StyleRun {
     std::vector<DrawItem> items;
 };
 
+/// Every visible object once, whatever its styles: without presence.
+struct WholeItems {
+    std::vector<DrawItem> opaque;   ///< And masked; near before far.
+    std::vector<DrawItem> blended;  ///< Back to front.
+};
+
 /// Who draws what in a frame.
 struct FramePlan {
     FrameItems items;
     std::vector<StyleItems> styles;      ///< One for each named style.
     std::vector<StyleRun> blended_runs;  ///< Back to front across styles.
+    std::optional<WholeItems> whole;     ///< By whole_items().
 };
 
 /// Sorts the visible objects by style. An item's slot is its place in `visible.objects`.
 FramePlan plan_frame(const SceneInput& input, const VisibleSet& visible);
+
+/// Made when first asked for: most frames need none.
+const WholeItems& whole_items(FramePlan& plan, const SceneInput& input, const VisibleSet& visible);
 
 }  // namespace hw

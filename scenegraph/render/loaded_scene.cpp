@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/render/products/shared_images.hpp"
 
 namespace hw {
 namespace {
@@ -39,40 +38,50 @@ LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode
         for (const glm::vec3& position : mesh.positions) mesh_bounds.back().add(glm::dvec3(position));
     }
     for (ObjectId id = 0; id < input.scene->objects.size(); ++id) is_all_baked &= lightmap.feature(id) != 0;
-    std::uint32_t first = 0;
-    for (const Object& object : input.scene->objects) {
-        first_triangle.push_back(first);
-        first += static_cast<std::uint32_t>(input.scene->meshes[object.mesh].triangle_count());
-    }
     set_looks(std::move(input.styles), std::move(input.objects));
+}
+
+std::map<MapKind, int> LoadedScene::maps_of(const Needs& by) const
+{
+    std::map<MapKind, int> maps;
+    for (const auto& [kind, name] : by.maps) {
+        const auto found = input.named_maps.find({kind, name.value});
+        if (found != input.named_maps.end()) maps[kind] = found->second;
+    }
+    return maps;
 }
 
 void LoadedScene::make_images(const Needs& by, int depth, std::map<ImageKey, NeededImage>& made) const
 {
     for (const ImageKey& key : by.images) {
-        if (is_engine_image(key.pass) || made.contains(key) || depth > kMaxImageDepth) continue;
-        NeededImage image{input.image_passes ? input.image_passes(key) : nullptr, {}};
+        if (made.contains(key) || depth > kMaxImageDepth) continue;
+        NeededImage image{input.image_passes ? input.image_passes(key) : nullptr, {}, {}};
         if (image.pass == nullptr)
             throw Error({.what = "no image pass \"" + key.pass + "\"",
                          .expected = "an image pass plugin, normal_depth, object_ids or triangle_ids"});
         image.needs = image.pass->needs();
+        image.maps = maps_of(image.needs);
         make_images(image.needs, depth + 1, made);
         made[key] = std::move(image);
     }
 }
 
+void LoadedScene::require_image(const ImageKey& key)
+{
+    std::map<ImageKey, NeededImage> with_it = images;
+    make_images({.images = {key}}, 0, with_it);
+    images = std::move(with_it);
+}
+
 void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects)
 {
     std::vector<Needs> new_needs;
-    std::vector<std::map<MapKind, int>> new_maps(styles.size());
+    std::vector<std::map<MapKind, int>> new_maps;
     std::map<ImageKey, NeededImage> new_images = images;
-    for (std::size_t i = 0; i < styles.size(); ++i) {
-        new_needs.push_back(styles[i].style->needs());
-        make_images(new_needs[i], 0, new_images);
-        for (const auto& [kind, name] : new_needs[i].maps) {
-            const auto found = input.named_maps.find({kind, name.value});
-            if (found != input.named_maps.end()) new_maps[i][kind] = found->second;
-        }
+    for (const NamedStyle& style : styles) {
+        new_needs.push_back(style.style->needs());
+        new_maps.push_back(maps_of(new_needs.back()));
+        make_images(new_needs.back(), 0, new_images);
     }
     for (ObjectId object = 0; object < objects.size(); ++object)
         for (const int style : {objects[object].style, objects[object].over})

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "hatchway/render/device/gpu_lightmap.hpp"
@@ -17,6 +16,7 @@ namespace hw {
 struct NeededImage {
     std::shared_ptr<ImagePass> pass;
     Needs needs;
+    std::map<MapKind, int> maps;  ///< What its needs name.
 };
 
 /// Everything of one loaded scene: what was given, and what was made of it.
@@ -24,6 +24,9 @@ struct LoadedScene {
     /// Throws hw::Error when the device cannot hold it, or a style asks for an image that nobody makes.
     LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter);
 
+    /// Makes an image of this key be made in every frame that asks for it, needed or not. Throws hw::Error when nobody
+    /// makes it.
+    void require_image(const ImageKey& key);
     /// Takes other looks and builds what they need and is not there yet. When it throws, all stays as it was.
     void set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects);
 
@@ -36,13 +39,12 @@ struct LoadedScene {
     SurfaceFeatures light_features = 0;              ///< What programs are compiled for in this scene.
     bool is_all_baked = true;                        ///< Every object has baked light.
     std::vector<Box> mesh_bounds;                    ///< Object space.
-    std::vector<std::uint32_t> first_triangle;       ///< Of each object, in the numbering of triangle ids.
-    std::set<std::string> refused_styles;            ///< Those that drew items which are none: told once each.
     std::vector<Needs> needs;                        ///< Of each style.
     std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.
     std::map<ImageKey, NeededImage> images;          ///< What styles need, directly or by another image's needs.
 
  private:
+    std::map<MapKind, int> maps_of(const Needs& by) const;
     /// Adds to `made` the images that are needed and not in it yet.
     void make_images(const Needs& by, int depth, std::map<ImageKey, NeededImage>& made) const;
 };

@@ -14,7 +14,7 @@ std::vector<SurfaceItem> surface_items_of(const Frame& frame, const FaceCall& ca
     for (const DrawItem& item : call.items) {
         const VisibleObject& object = visible.objects[FrameItems::slot(item)];
         surface_items.push_back(
-            {&item, &object, choose_maps(frame.scene.input.objects[object.object].maps, *call.style_maps)});
+            {&item, &object, choose_maps(frame.scene.input.objects[object.object].maps, *call.named_maps)});
     }
     return surface_items;
 }
@@ -76,15 +76,16 @@ void draw_faces(const Frame& frame, const FaceCall& call, const PipelineState& s
 {
     const VisibleSet& visible =
         hidden == Hidden::left_out && frame.results.seen ? *frame.results.seen : frame.view.visible;
-    const std::uint32_t shadow = call.reads.uses_shadow ? frame.scene.shadow.texture() : 0;
+    const bool has_baked = call.needs->lightmap && frame.scene.lightmap.has_light();
+    const std::uint32_t shadow = call.needs->shadow == ShadowNeed::main_light ? frame.scene.shadow.texture() : 0;
     frame.faces().draw({.program = call.program,
                         .uniforms = &call.uniforms,
                         .state = state,
                         .features = frame.scene.light_features | (shadow != 0 ? surface_feature::kShadow : 0),
                         .time_s = frame.view.camera.time_s,
                         .shadow_texture = shadow,
-                        .streams = call.reads.streams,
-                        .lightmap = call.reads.uses_lightmap ? &frame.scene.lightmap : nullptr},
+                        .streams = call.needs->streams,
+                        .lightmap = has_baked ? &frame.scene.lightmap : nullptr},
                        surface_items_of(frame, call, visible), visible.ranges);
 }
 
@@ -92,6 +93,15 @@ void draw_faces_depth_first(const Frame& frame, const FaceCall& call)
 {
     lay_depth(frame, call);
     draw_faces(frame, call, state_after_depth(frame, call));
+}
+
+void draw_faces_in_scene(const Frame& frame, const FaceCall& call)
+{
+    std::vector<SurfaceItem> scene;
+    for (const DrawItem& item : frame.whole().opaque)
+        scene.push_back({&item, &frame.view.visible.objects[FrameItems::slot(item)], {}});
+    frame.faces().draw_depth({}, scene, frame.view.visible.ranges);
+    draw_faces(frame, call, {.depth_test = DepthTest::less_equal});
 }
 
 void draw_opaque_faces(const Frame& frame)
@@ -106,10 +116,8 @@ void draw_opaque_faces(const Frame& frame)
 
 void lay_line_depth(const Frame& frame)
 {
-    GpuTarget& target = frame.device.pool.take({.size_px = frame.view.camera.size_px,
-                                                .colours = {},
-                                                .has_depth_texture = true,
-                                                .filter = FilterMode::nearest});
+    GpuTarget& target =
+        frame.device.pool.take({.size_px = frame.view.camera.size_px, .colours = {}, .has_depth_texture = true});
     target.bind();
     target.clear_depth();
     const FaceOffset& offset = frame.view.options.line_offset;

@@ -13,6 +13,9 @@ void draw_faces(const Frame& frame, const FaceCall& call, const PipelineState& s
 /// The same into a target with a clear depth: depth first, so that every pixel is shaded once.
 void draw_faces_depth_first(const Frame& frame, const FaceCall& call);
 
+/// The same after the depth of all visible opaque and masked objects: what they hide is left out.
+void draw_faces_in_scene(const Frame& frame, const FaceCall& call);
+
 /// Draws `frame.results.opaque_faces` into the picture, which is clear: depth of all of them first, so that every pixel
 /// is shaded once, whichever style covers it. At equal depth the last call, and in it the last item, is seen.
 void draw_opaque_faces(const Frame& frame);

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/gpu_queries.hpp"
+#include "hatchway/render/device/surface_drawer.hpp"
 #include "hatchway/render/device/target_pool.hpp"
 #include "hatchway/render/lines/line_drawer.hpp"
 #include "hatchway/render/overlay/overlay_drawer.hpp"
@@ -10,7 +14,11 @@ namespace hw {
 
 /// What a renderer keeps on the device whatever scene and view it draws.
 struct RenderDevice {
-    explicit RenderDevice(Context& own_context);
+    /// `read_image` decodes textures of styles.
+    RenderDevice(Context& own_context, ImageReader read_image);
+
+    /// Logs a text as an error, once.
+    void tell_once(const std::string& text);
 
     Context& context;
     GpuState state;
@@ -22,6 +30,10 @@ struct RenderDevice {
     OverlayDrawer overlay;
     GpuVertexArray no_vertices;  ///< For full-screen passes.
     GpuBuffer frame_block;       ///< HwFrame of the view that is being drawn.
+    std::set<std::string> told;  ///< By tell_once().
 };
+
+/// Fills the bound target by a program for full-screen passes.
+void draw_full_screen(RenderDevice& device, const GpuProgram& program, const Uniforms& uniforms);
 
 }  // namespace hw

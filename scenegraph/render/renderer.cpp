@@ -4,6 +4,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/render/frame_phases.hpp"
+#include "hatchway/render/products/engine_images.hpp"
 #include "hatchway/world/visibility/visibility.hpp"
 
 namespace hw {
@@ -33,7 +34,7 @@ class PhaseClock {
 }  // namespace
 
 struct Renderer::State {
-    explicit State(Context& context) : device(context) {}
+    State(Context& context, ImageReader read_image) : device(context, std::move(read_image)) {}
 
     GpuTarget& target_of(glm::ivec2 size_px, int samples);
     void resolve(const View& view, const FrameOptions& options);
@@ -45,7 +46,10 @@ struct Renderer::State {
     std::unique_ptr<LoadedScene> scene;
 };
 
-Renderer::Renderer(Context& context) : state_(std::make_unique<State>(context)) {}
+Renderer::Renderer(Context& context, ImageReader read_image)
+    : state_(std::make_unique<State>(context, std::move(read_image)))
+{
+}
 Renderer::~Renderer() = default;
 
 ProgramCache& Renderer::program_cache(const std::filesystem::path& style_folder)
@@ -62,6 +66,8 @@ void Renderer::load(SceneInput input)
 {
     HW_ASSERT(input.scene != nullptr && input.objects.size() == input.scene->objects.size());
     HW_ASSERT(input.chunks.empty() || input.chunks.size() == input.scene->meshes.size());
+    ProgramStore& programs = state_->device.programs;
+    input.image_passes = with_engine_images(std::move(input.image_passes), programs.cache(programs.engine_folder()));
     const bool is_software = state_->device.context.device().is_software;
     state_->scene = std::make_unique<LoadedScene>(std::move(input), state_->device.line_indices,
                                                   is_software ? FilterMode::linear_in_level : FilterMode::trilinear);
@@ -77,10 +83,10 @@ void Renderer::set_looks(std::vector<NamedStyle> styles, std::vector<StyledObjec
 GpuTarget& Renderer::State::target_of(glm::ivec2 size_px, int samples)
 {
     if (picture.desc().size_px != size_px || picture.is_empty())
-        picture = GpuTarget({.size_px = size_px, .colours = {TextureFormat::srgb8_alpha8}});
+        picture = GpuTarget({.size_px = size_px, .colours = {{TextureFormat::srgb8_alpha8}}});
     if (samples <= 1) return picture;
     if (sampled.is_empty() || sampled.desc().size_px != size_px || sampled.desc().samples != samples)
-        sampled = GpuTarget({.size_px = size_px, .colours = {TextureFormat::srgb8_alpha8}, .samples = samples});
+        sampled = GpuTarget({.size_px = size_px, .colours = {{TextureFormat::srgb8_alpha8}}, .samples = samples});
     return sampled;
 }
 
@@ -126,13 +132,15 @@ FrameStats Renderer::draw(const View& camera, const FrameOptions& options)
     device.state.forget();
     device.state.reset_counters();
 
-    FrameView view{camera, options, state_->target_of(camera.size_px, options.samples), {}, {}};
+    if (options.shown_image) scene.require_image(*options.shown_image);
+    FrameView view{camera, options, state_->target_of(camera.size_px, options.samples), {}, {}, {}};
     find_visible({.scene = scene.input.scene,
                   .chunks = scene.input.chunks,
                   .mesh_bounds = scene.mesh_bounds,
                   .visibility = options.use_pvs ? scene.input.visibility : nullptr},
                  camera, view.visible);
     view.plan = plan_frame(scene.input, view.visible);
+    view.images = plan_images(scene, view.plan, options.shown_image ? &*options.shown_image : nullptr);
     FrameResults results;
     const Frame frame{view, scene, device, results};
     clock.end_phase(stats.visibility_ms);
@@ -147,6 +155,7 @@ FrameStats Renderer::draw(const View& camera, const FrameOptions& options)
     clock.end_phase(stats.lines_ms);
     draw_blended(frame);
     clock.end_phase(stats.surfaces_ms);
+    if (options.shown_image) show_image(frame, *options.shown_image);
     state_->resolve(camera, options);
     clock.end_phase(stats.resolve_ms);
 

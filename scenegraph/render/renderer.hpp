@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hatchway/core/pixels.hpp"
+#include "hatchway/render/device/texture_store.hpp"
 #include "hatchway/render/view/frame_options.hpp"
 #include "hatchway/render/view/frame_stats.hpp"
 #include "hatchway/render/view/scene_input.hpp"
@@ -16,7 +17,8 @@ class Context;
 /// Draws frames of one scene into a picture of its own. Needs its context to be current in every call.
 class Renderer {
  public:
-    explicit Renderer(Context& context);
+    /// `read_image` decodes textures that styles bring along; without one, they are refused.
+    explicit Renderer(Context& context, ImageReader read_image = {});
     ~Renderer();
 
     /// The cache to prepare styles with. `style_folder` holds the style's own shaders.
@@ -30,7 +32,8 @@ class Renderer {
     /// Changes the looks alone (a style swapped, an object's style cycled); meshes, textures and shadows stay.
     void set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects);
 
-    /// Draws a frame. Deterministic: depends on the scene and these arguments alone. Never throws for a style's fault.
+    /// Draws a frame. Deterministic: depends on the scene and these arguments alone. Never throws for a style's fault;
+    /// throws hw::Error when FrameOptions::shown_image names an image that nobody makes.
     FrameStats draw(const View& camera, const FrameOptions& options);
 
     /// The last picture, RGB, sRGB, top row first.

@@ -1,10 +1,10 @@
 #include "hatchway/render/style_pass.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/log.hpp"
 #include "hatchway/render/opaque_faces.hpp"
 
 namespace hw {
@@ -12,21 +12,26 @@ namespace {
 
 TextureFormat texture_format(PixelFormat format)
 {
-    switch (format) {
-        case PixelFormat::r8:
-            return TextureFormat::r8;
-        case PixelFormat::rg8:
-            return TextureFormat::rg8;
-        case PixelFormat::rgba8:
-            return TextureFormat::rgba8;
-        case PixelFormat::rgba16f:
-            return TextureFormat::rgba16f;
-        case PixelFormat::r32f:
-            return TextureFormat::r32f;
-        case PixelFormat::rgba32f:
-            break;
-    }
-    return TextureFormat::rgba32f;
+    static constexpr std::array kFormats{TextureFormat::r8,      TextureFormat::rg8,   TextureFormat::rgba8,
+                                         TextureFormat::rgba16f, TextureFormat::r32f,  TextureFormat::rgba32f,
+                                         TextureFormat::r32ui,   TextureFormat::rg32ui};
+    return kFormats[static_cast<std::size_t>(format)];
+}
+
+TargetColour target_colour(const TargetOutput& output)
+{
+    static constexpr std::array kWraps{WrapMode::clamp, WrapMode::repeat, WrapMode::mirrored_repeat};
+    const bool is_unfiltered = output.format >= PixelFormat::r32f || output.filter == PixelFilter::nearest;
+    return {texture_format(output.format), is_unfiltered ? FilterMode::nearest : FilterMode::linear,
+            kWraps[static_cast<std::size_t>(output.wrap)]};
+}
+
+Images images_of(const GpuTarget& target, const TargetDesc& desc)
+{
+    Images images;
+    for (std::size_t i = 0; i < desc.outputs.size(); ++i)
+        images.add({target.colour(static_cast<int>(i)).id(), target.desc().size_px, desc.outputs[i].format});
+    return images;
 }
 
 PipelineState picture_state(PassStage stage)
@@ -47,70 +52,68 @@ PipelineState picture_state(PassStage stage)
 
 }  // namespace
 
-StylePass::StylePass(const Frame& frame, PassStage stage, const StyleReads& reads, const std::map<MapKind, int>& maps)
-    : frame_(frame), stage_(stage), reads_(reads), style_maps_(maps)
-{
-}
-
-Image StylePass::image(const ImageKey& key) const
+Image StylePass::image(const ImageKey& key, std::size_t output) const
 {
     const auto found = frame_.results.images.find(key);
-    return found == frame_.results.images.end() ? Image() : found->second;
+    const bool is_needed =
+        std::find(drawer_.needs.images.begin(), drawer_.needs.images.end(), key) != drawer_.needs.images.end();
+    if (is_needed && found != frame_.results.images.end()) return found->second[output];
+    frame_.device.tell_once(std::string(drawer_.who) + " reads the image \"" + key.pass +
+                            "\", which its needs do not name or nobody made");
+    return {};
 }
 
-GpuTarget* StylePass::transient(const TargetDesc& target)
+GpuTarget* StylePass::transient(const TargetDesc& target, bool has_depth)
 {
-    const glm::vec2 size = glm::vec2(frame_.view.camera.size_px) * std::clamp(target.scale, 0.01f, 4.0f);
-    const bool is_float = target.format >= PixelFormat::rgba16f;
+    const float scale = target.scale > 0.01f ? std::min(target.scale, 4.0f) : 0.01f;  // NaN is small, too
+    const glm::vec2 size = glm::vec2(frame_.view.camera.size_px) * scale;
+    GpuTargetDesc desc{.size_px = glm::max(glm::ivec2(glm::ceil(size)), glm::ivec2(1)), .has_depth = has_depth};
+    for (const TargetOutput& output : target.outputs) desc.colours.push_back(target_colour(output));
     try {
-        GpuTarget& made = frame_.device.pool.take({.size_px = glm::max(glm::ivec2(glm::ceil(size)), glm::ivec2(1)),
-                                                   .colours = {texture_format(target.format)},
-                                                   .has_depth = target.has_depth,
-                                                   .filter = is_float ? FilterMode::nearest : FilterMode::linear});
+        if (target.outputs.empty() || target.outputs.size() > kMaxTargetOutputs)
+            throw Error({.what = "a pass into " + std::to_string(target.outputs.size()) + " outputs",
+                         .expected = "1 to " + std::to_string(kMaxTargetOutputs)});
+        GpuTarget& made = frame_.device.pool.take(desc);
         ++frame_.results.transient_targets;
         made.bind();
         frame_.device.state.apply({});
-        made.clear(target.clear);
+        for (std::size_t i = 0; i < target.outputs.size(); ++i)
+            made.clear_colour(static_cast<int>(i), target.outputs[i].clear);
+        made.clear_depth();
         return &made;
     } catch (const Error& error) {
-        log_error(error.what());
+        frame_.device.tell_once(error.what());
         return nullptr;
     }
 }
 
-Image StylePass::render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items)
+Images StylePass::render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items)
 {
-    GpuTarget* made = transient(target);
+    if (frame_.device.programs.surface(program, 0) == nullptr) return {};
+    GpuTarget* made = transient(target, target.depth != TargetDepth::none);
     if (made == nullptr) return {};
     const FaceCall call = call_of(program, uniforms, items);
-    if (target.has_depth)
-        draw_faces_depth_first(frame_, call);
-    else
-        draw_faces(frame_, call, {.depth_test = DepthTest::off});
+    if (target.depth == TargetDepth::own) draw_faces_depth_first(frame_, call);
+    if (target.depth == TargetDepth::scene) draw_faces_in_scene(frame_, call);
+    if (target.depth == TargetDepth::none) draw_faces(frame_, call, {.depth_test = DepthTest::off});
     frame_.view.picture.bind();
-    return {made->colour().id(), made->desc().size_px};
+    return images_of(*made, target);
 }
 
-Image StylePass::filter(const TargetDesc& target, Program program, const Uniforms& uniforms)
+Images StylePass::filter(const TargetDesc& target, Program program, const Uniforms& uniforms)
 {
     const LinkedProgram* linked = frame_.device.programs.full_screen(program);
     if (linked == nullptr) return {};
-    TargetDesc flat = target;
-    flat.has_depth = false;
-    GpuTarget* made = transient(flat);
+    GpuTarget* made = transient(target, false);
     if (made == nullptr) return {};
-    frame_.device.state.use(linked->gpu);
-    set_uniforms(linked->gpu, uniforms, frame_.device.state);
-    frame_.device.state.apply({.depth_test = DepthTest::off, .writes_depth = false, .culling = Culling::off});
-    frame_.device.state.bind(frame_.device.no_vertices);
-    frame_.device.state.draw(Primitive::triangles, 0, 3);
+    draw_full_screen(frame_.device, linked->gpu, uniforms);
     frame_.view.picture.bind();
-    return {made->colour().id(), made->desc().size_px};
+    return images_of(*made, target);
 }
 
 FaceCall StylePass::call_of(Program program, const Uniforms& uniforms, Items items) const
 {
-    return {program, uniforms, of_this_frame(items), reads_, &style_maps_};
+    return {program, uniforms, of_this_frame(items), &drawer_.needs, &drawer_.maps};
 }
 
 std::vector<DrawItem> StylePass::of_this_frame(Items items) const
@@ -118,8 +121,8 @@ std::vector<DrawItem> StylePass::of_this_frame(Items items) const
     std::vector<DrawItem> known;
     for (const DrawItem& item : items)
         if (frame_.view.plan.items.has_made(item)) known.push_back(item);
-    if (known.size() < items.size() && frame_.scene.refused_styles.insert(std::string(reads_.name)).second)
-        log_error("the style \"" + std::string(reads_.name) + "\" draws items that are not of this frame: left out");
+    if (known.size() < items.size())
+        frame_.device.tell_once(std::string(drawer_.who) + " draws items that are not of this frame: left out");
     return known;
 }
 
@@ -135,13 +138,23 @@ void StylePass::surfaces(Program program, const Uniforms& uniforms, Items items)
 
 void StylePass::lines(const LineLook& look, Items items)
 {
-    if (stage_ == PassStage::images || !reads_.edges) return;
+    draw_lines({}, look, items);
+}
+
+void StylePass::lines(Program pen, const Uniforms& uniforms, const LineLook& look, Items items)
+{
+    if (frame_.device.programs.line(pen, 0) != nullptr) draw_lines({pen, &uniforms}, look, items);
+}
+
+void StylePass::draw_lines(const LinePen& pen, const LineLook& look, Items items)
+{
+    if (stage_ == PassStage::images || !drawer_.needs.edges) return;
     const std::vector<DrawItem> known = of_this_frame(items);
     std::vector<LineItem> line_items;
     for (const DrawItem& item : known)
         line_items.push_back({&item, &frame_.view.visible.objects[FrameItems::slot(item)]});
     const LineFrame line_frame{frame_.view.camera, frame_.view.options.line_path, frame_.results.line_depth_texture};
-    frame_.device.lines.draw(line_frame, {look, reads_.edges->crease_rad, line_items}, frame_.scene.edges);
+    frame_.device.lines.draw(line_frame, {look, drawer_.needs.edges->crease_rad, line_items, pen}, frame_.scene.edges);
 }
 
 }  // namespace hw

@@ -15,27 +15,38 @@ enum class PassStage : std::uint8_t {
 /// The host's side of Pass: one call of one style, or of one image pass.
 class StylePass final : public Pass {
  public:
-    /// `maps` are those of the style's needs, for objects without maps of that kind; they must outlive the pass.
-    StylePass(const Frame& frame, PassStage stage, const StyleReads& reads, const std::map<MapKind, int>& maps);
+    /// `who` draws, in messages; its needs, and the maps that these name. All must outlive the frame's
+    /// results.
+    struct Drawer {
+        std::string_view who;
+        const Needs& needs;
+        const std::map<MapKind, int>& maps;
+    };
+    StylePass(const Frame& frame, PassStage stage, const Drawer& drawer) : frame_(frame), stage_(stage), drawer_(drawer)
+    {
+    }
 
     const View& view() const override { return frame_.view.camera; }
     Layer layer() const override { return stage_ == PassStage::blended ? Layer::blended : Layer::opaque; }
-    Image image(const ImageKey& key) const override;
-    Image render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) override;
-    Image filter(const TargetDesc& target, Program program, const Uniforms& uniforms) override;
+    Items opaque_scene() const override { return frame_.whole().opaque; }
+    Image image(const ImageKey& key, std::size_t output) const override;
+    Images render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) override;
+    Images filter(const TargetDesc& target, Program program, const Uniforms& uniforms) override;
     void surfaces(Program program, const Uniforms& uniforms, Items items) override;
     void lines(const LineLook& look, Items items) override;
+    void lines(Program pen, const Uniforms& uniforms, const LineLook& look, Items items) override;
 
  private:
-    GpuTarget* transient(const TargetDesc& target);
     /// Items that styles hand back are theirs to get wrong: those that this frame did not make are refused, once told.
     std::vector<DrawItem> of_this_frame(Items items) const;
+    /// Null when the device has no such target.
+    GpuTarget* transient(const TargetDesc& target, bool has_depth);
     FaceCall call_of(Program program, const Uniforms& uniforms, Items items) const;
+    void draw_lines(const LinePen& pen, const LineLook& look, Items items);
 
     const Frame& frame_;
     PassStage stage_;
-    StyleReads reads_;
-    const std::map<MapKind, int>& style_maps_;
+    Drawer drawer_;
 };
 
 }  // namespace hw

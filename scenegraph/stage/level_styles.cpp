@@ -7,6 +7,8 @@ class NoPrograms final : public ProgramCache {
  public:
     Program surface(std::string_view, std::string_view) override { return {1}; }
     Program full_screen(std::string_view, std::string_view) override { return {1}; }
+    Program line(std::string_view, std::string_view) override { return {1}; }
+    Image texture(std::string_view) override { return {}; }
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "hatchway/core/files/files.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
+#include "hatchway/io/images/images.hpp"
 #include "hatchway/stage/level_styles.hpp"
 
 namespace hw {
@@ -29,7 +30,7 @@ bool is_below(const std::filesystem::path& file, const std::vector<std::filesyst
 Stage::Stage(Context& context, StageOptions options)
     : options_(std::move(options)),
       plugins_({.folders = options_.plugin_dirs}),
-      renderer_(context),
+      renderer_(context, read_image),
       styles_(plugins_,
               [this](const std::filesystem::path& folder) -> ProgramCache& { return renderer_.program_cache(folder); })
 {

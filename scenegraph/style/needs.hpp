@@ -22,12 +22,13 @@ struct Streams {
     bool hatch_uv = false;   ///< Coordinates that strokes follow, from `hatch_source`.
     bool direction = false;  ///< Where u of `hatch_source` rises; of source model the direction of strongest curvature.
     HatchSource hatch_source = HatchSource::model;
+    bool triangle_id = false;  ///< HwSurface::triangle_id. Costs three vertices for each triangle.
 };
 
 enum class ShadowNeed : unsigned char { none, main_light };
 
 /// Names one full-screen image: the image pass that makes it and the parameters it is made with. Equal keys are made
-/// once a frame. "normal_depth", "object_ids" and "triangle_ids" are made by the engine itself.
+/// once a frame. "normal_depth", "object_ids" and "triangle_ids" are the engine's.
 struct ImageKey {
     std::string pass;
     std::map<std::string, ParamValue> params;

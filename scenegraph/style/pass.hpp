@@ -13,16 +13,10 @@
 #include "hatchway/style/line_look.hpp"
 #include "hatchway/style/needs.hpp"
 #include "hatchway/style/program_cache.hpp"
+#include "hatchway/style/target.hpp"
 #include "hatchway/style/view.hpp"
 
 namespace hw {
-
-/// A texture of this frame, owned by the host. Invalid when the image was not in the style's needs.
-struct Image {
-    std::uint32_t id = 0;
-    glm::ivec2 size_px{0};
-    bool is_valid() const { return id != 0; }
-};
 
 /// What a program is given beside what the host sets by itself (view, lights, material, maps, presence).
 class Uniforms {
@@ -44,18 +38,9 @@ class Uniforms {
     std::vector<Entry> entries_;
 };
 
-enum class PixelFormat : std::uint8_t { r8, rg8, rgba8, rgba16f, r32f, rgba32f };
-
-/// A transient target. Its memory is reused between frames, its content never.
-struct TargetDesc {
-    PixelFormat format = PixelFormat::rgba8;
-    float scale = 1.0f;  ///< Of the view's size.
-    bool has_depth = true;
-    glm::vec4 clear{0.0f};
-};
-
-/// The only way to draw. The host owns targets, depth, polygon offset, clipping, presence and blending. Nothing throws;
-/// an invalid program or image draws nothing and is logged once.
+/// The only way to draw. The host owns targets, depth, polygon offset, clipping, presence and blending. Nothing throws.
+/// A pass with an invalid program, or with one that was made for something else, draws nothing and gives invalid
+/// images. An invalid image is sampled as (0, 0, 0, 1). Uniforms that a program does not have are ignored.
 class Pass {
  public:
     virtual ~Pass() = default;
@@ -63,16 +48,23 @@ class Pass {
     virtual const View& view() const = 0;
     /// Which faces are being drawn: surfaces() and lines() are called once for each layer that has some.
     virtual Layer layer() const = 0;
-    /// An image that the style's needs name.
-    virtual Image image(const ImageKey& key) const = 0;
-    /// Draws items' faces into a transient target, cleared first.
-    virtual Image render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) = 0;
-    /// A full-screen pass into a transient target.
-    virtual Image filter(const TargetDesc& target, Program program, const Uniforms& uniforms) = 0;
+    /// All visible opaque and masked objects of the view, whatever their style, near before far: for images in which
+    /// what hides an item appears, too.
+    virtual Items opaque_scene() const = 0;
+    /// An image that the needs name, and which of its outputs; invalid when they do not name it, or nobody made it.
+    virtual Image image(const ImageKey& key, std::size_t output = 0) const = 0;
+    /// Draws items' faces into transient targets, cleared first; depth first, so that every pixel is shaded once.
+    virtual Images render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) = 0;
+    /// A full-screen pass into transient targets. TargetDesc::depth is ignored.
+    virtual Images filter(const TargetDesc& target, Program program, const Uniforms& uniforms) = 0;
     /// Draws items' faces into the picture.
     virtual void surfaces(Program program, const Uniforms& uniforms, Items items) = 0;
-    /// Draws items' lines into the picture, hidden parts removed by depth. None, unless the style's needs name edges.
+    /// Draws items' lines into the picture with the engine's pen, hidden parts removed by depth. None, unless the
+    /// style's needs name edges.
     virtual void lines(const LineLook& look, Items items) = 0;
+    /// The same with a pen of the style's own (ProgramCache::line): it gives each fragment of the lines its colour and
+    /// coverage. Widths, stray and thinning are the look's.
+    virtual void lines(Program pen, const Uniforms& uniforms, const LineLook& look, Items items) = 0;
 };
 
 }  // namespace hw

@@ -27,8 +27,8 @@ class Style {
     virtual void lines(Pass&, Items) {}
 };
 
-/// The second kind of plugin: makes one full-screen image from products, for any style (edge map, id mask, distance to
-/// lines). Its parameters are those of the ImageKey that asks for it.
+/// The second kind of plugin: makes full-screen images, for any style (edge map, id mask, distance to lines). Its
+/// parameters are those of the ImageKey that asks for it. Its needs hold while it draws, as a style's do.
 class ImagePass {
  public:
     virtual ~ImagePass() = default;
@@ -36,7 +36,10 @@ class ImagePass {
     virtual void visit_params(ParamVisitor&) {}
     virtual Needs needs() const = 0;
     virtual void prepare(ProgramCache&) = 0;
-    virtual Image make(Pass&) = 0;
+    /// Called once a frame when a visible object's style needs the image, itself or by another image. `items`: all such
+    /// objects, opaque and masked ones near before far, then blended ones back to front. What pass.image() gives for
+    /// the key is what this returns.
+    virtual Images make(Pass&, Items items) = 0;
 };
 
 }  // namespace hw

@@ -35,7 +35,7 @@ TEST(context, two_live_side_by_side)
     const auto first = make_headless_context();
     const auto second = make_headless_context({.is_es = true});
     first->make_current();
-    const GpuTarget target({.size_px = {4, 4}, .colours = {TextureFormat::rgba8}});
+    const GpuTarget target({.size_px = {4, 4}, .colours = {{TextureFormat::rgba8}}});
     target.bind();
     target.clear({1.0f, 0.0f, 0.0f, 1.0f});
     EXPECT_EQ(target.read_pixel(1, 1), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
@@ -47,7 +47,7 @@ TEST(context, two_live_side_by_side)
 TEST(context, an_error_of_ours_is_reported_once)
 {
     const auto context = make_headless_context();
-    GpuTarget target({.size_px = {4, 4}, .colours = {TextureFormat::rgba8}});
+    GpuTarget target({.size_px = {4, 4}, .colours = {{TextureFormat::rgba8}}});
     target.bind();
     target.clear_colour(-1, glm::vec4(0.0f));
     EXPECT_THAT(context->take_errors(), Not(IsEmpty()));
@@ -58,7 +58,7 @@ TEST(context, a_target_larger_than_the_device_takes_is_refused)
 {
     const auto context = make_headless_context();
     const int side = context->device().max_texture_side + 1;
-    EXPECT_THROW(GpuTarget({.size_px = {side, 1}, .colours = {TextureFormat::rgba8}}), Error);
+    EXPECT_THROW(GpuTarget({.size_px = {side, 1}, .colours = {{TextureFormat::rgba8}}}), Error);
 }
 
 TEST(window, without_a_display_it_is_refused_as_a_missing_device)

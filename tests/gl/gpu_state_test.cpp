@@ -52,7 +52,7 @@ class Triangle : public testing::Test {
 
 TEST_F(Triangle, covers_its_half_of_the_picture)
 {
-    const GpuTarget target({.size_px = {8, 8}, .colours = {TextureFormat::rgba8}});
+    const GpuTarget target({.size_px = {8, 8}, .colours = {{TextureFormat::rgba8}}});
     target.bind();
     state_.apply({});
     target.clear(kBlack);
@@ -65,7 +65,7 @@ TEST_F(Triangle, covers_its_half_of_the_picture)
 
 TEST_F(Triangle, the_same_state_twice_is_sent_once)
 {
-    const GpuTarget target({.size_px = {8, 8}, .colours = {TextureFormat::rgba8}});
+    const GpuTarget target({.size_px = {8, 8}, .colours = {{TextureFormat::rgba8}}});
     draw(target, kBlack, {});
     const GpuCounters first = state_.counters();
     draw(target, kBlack, {});
@@ -76,7 +76,7 @@ TEST_F(Triangle, the_same_state_twice_is_sent_once)
 
 TEST_F(Triangle, what_was_set_before_does_not_stay)
 {
-    const GpuTarget target({.size_px = {8, 8}, .colours = {TextureFormat::rgba8}});
+    const GpuTarget target({.size_px = {8, 8}, .colours = {{TextureFormat::rgba8}}});
     draw(target, kBlack, {.depth_test = DepthTest::off, .writes_colour = false, .blending = Blending::over});
     target.bind();
     state_.apply({});
@@ -87,7 +87,7 @@ TEST_F(Triangle, what_was_set_before_does_not_stay)
 
 TEST_F(Triangle, blending_in_an_srgb_target_is_linear)
 {
-    const GpuTarget target({.size_px = {8, 8}, .colours = {TextureFormat::srgb8_alpha8}});
+    const GpuTarget target({.size_px = {8, 8}, .colours = {{TextureFormat::srgb8_alpha8}}});
     target.bind();
     state_.apply({});
     target.clear(kBlack);
@@ -97,8 +97,8 @@ TEST_F(Triangle, blending_in_an_srgb_target_is_linear)
 
 TEST_F(Triangle, the_resolve_of_an_srgb_target_is_linear)
 {
-    const GpuTarget sampled({.size_px = {8, 8}, .colours = {TextureFormat::srgb8_alpha8}, .samples = 4});
-    const GpuTarget target({.size_px = {8, 8}, .colours = {TextureFormat::srgb8_alpha8}});
+    const GpuTarget sampled({.size_px = {8, 8}, .colours = {{TextureFormat::srgb8_alpha8}}, .samples = 4});
+    const GpuTarget target({.size_px = {8, 8}, .colours = {{TextureFormat::srgb8_alpha8}}});
     sampled.bind();
     state_.apply({});
     sampled.clear(kBlack);

@@ -59,6 +59,8 @@ struct FakeProgramCache final : ProgramCache {
         return {1};
     }
     Program full_screen(std::string_view file, std::string_view defines) override { return surface(file, defines); }
+    Program line(std::string_view file, std::string_view defines) override { return surface(file, defines); }
+    Image texture(std::string_view) override { return {1, {1, 1}}; }
 
     std::vector<std::string> asked;
     std::string fails_for;
@@ -68,12 +70,19 @@ struct FakeProgramCache final : ProgramCache {
 struct FakePass final : Pass {
     const View& view() const override { return a_view; }
     Layer layer() const override { return a_layer; }
-    Image image(const ImageKey&) const override { return {}; }
-    Image render(const TargetDesc&, Program, const Uniforms&, Items) override { return {1, {1, 1}}; }
-    Image filter(const TargetDesc&, Program, const Uniforms& uniforms) override
+    Items opaque_scene() const override { return {}; }
+    Image image(const ImageKey&, std::size_t) const override { return {}; }
+    Images render(const TargetDesc&, Program, const Uniforms&, Items) override { return made(1); }
+    Images filter(const TargetDesc&, Program, const Uniforms& uniforms) override
     {
         last_uniforms = uniforms;
-        return {2, {1, 1}};
+        return made(2);
+    }
+    static Images made(std::uint32_t id)
+    {
+        Images images;
+        images.add({id, {1, 1}});
+        return images;
     }
     void surfaces(Program program, const Uniforms& uniforms, Items items) override
     {
@@ -81,6 +90,7 @@ struct FakePass final : Pass {
         last_program = program;
         last_uniforms = uniforms;
     }
+    void lines(Program, const Uniforms&, const LineLook& look, Items items) override { lines(look, items); }
     void lines(const LineLook& look, Items items) override
     {
         drawn_lines += items.size();

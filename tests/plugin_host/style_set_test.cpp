@@ -147,7 +147,7 @@ TEST_F(style_set, an_image_pass_is_made_with_the_parameters_of_its_key)
     ASSERT_NE(edge_map, nullptr);
     EXPECT_EQ(programs.asked.back(), "edge_map.frag|#define OPERATOR_C1 1\n");
     EXPECT_EQ(edge_map->needs().images.at(0).pass, "normal_depth");
-    EXPECT_TRUE(edge_map->make(pass).is_valid());
+    EXPECT_TRUE(edge_map->make(pass, {})[0].is_valid());
     EXPECT_EQ(source({"edge_map", {{"operator", std::string("sobel")}}}), nullptr);
     EXPECT_EQ(source({"no_such_pass", {}}), nullptr);
 }

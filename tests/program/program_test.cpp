@@ -226,3 +226,21 @@ TEST(program, measures_frames_with_their_error)
         EXPECT_LE(row["visible_share"], 1.0);
     }
 }
+
+TEST(program, render_shows_an_image_of_the_frame)
+{
+    const TemporaryFolder folder;
+    const auto shown = [&](const std::string& key) {
+        const ProgramResult result =
+            run_program({"render", kPrism, "--size", "64x48", "--show-image", key, "--out", folder / "image.png"});
+        return result.exit_code;
+    };
+    EXPECT_EQ(shown("object_ids"), 0);
+    const std::string ids = bytes_of(folder / "image.png");
+    EXPECT_EQ(shown("edge_map operator=c1 width_px=2"), 0);
+    EXPECT_NE(bytes_of(folder / "image.png"), ids);
+    fs::remove(folder / "image.png");
+    for (const char* wrong : {"nobody_makes_this", "edge_map width_px", "edge_map width_px=wide", " "})
+        EXPECT_EQ(shown(wrong), 2) << wrong;
+    EXPECT_FALSE(fs::exists(folder / "image.png"));
+}

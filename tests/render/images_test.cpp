@@ -31,7 +31,11 @@ class ShowingStyle final : public Style {
  public:
     explicit ShowingStyle(ImageKey key) : key_(std::move(key)) {}
     Needs needs() const override { return {.images = {key_}}; }
-    void prepare(ProgramCache& programs) override { program_ = programs.surface("test_show.frag"); }
+    void prepare(ProgramCache& programs) override
+    {
+        const bool has_ids = key_.pass.ends_with("_ids");
+        program_ = programs.surface("test_show.frag", has_ids ? "#define SHOWS_IDS 1\n" : "");
+    }
     void surfaces(Pass& pass, Items items) override
     {
         pass.surfaces(program_, Uniforms().set("shown", pass.image(key_)), items);
@@ -54,9 +58,8 @@ class TransientStyle final : public Style {
     }
     void images(Pass& pass, Items items) override
     {
-        const Image drawn = pass.render({.clear = glm::vec4(0.0f)}, flat_,
-                                        Uniforms().set("flat_colour", glm::vec3(1.0f, 0.0f, 0.0f)), items);
-        inverted_ = pass.filter({.has_depth = false}, invert_, Uniforms().set("source", drawn));
+        const Images drawn = pass.render({}, flat_, Uniforms().set("flat_colour", glm::vec3(1.0f, 0.0f, 0.0f)), items);
+        inverted_ = pass.filter({}, invert_, Uniforms().set("source", drawn[0]))[0];
     }
     void surfaces(Pass& pass, Items items) override { pass.surfaces(show_, Uniforms().set("shown", inverted_), items); }
 
@@ -71,7 +74,7 @@ class InvertingPass final : public ImagePass {
     explicit InvertingPass(ProgramCache& programs) { prepare(programs); }
     Needs needs() const override { return {.images = {{"normal_depth", {}}}}; }
     void prepare(ProgramCache& programs) override { program_ = programs.full_screen("test_invert.frag"); }
-    Image make(Pass& pass) override
+    Images make(Pass& pass, Items) override
     {
         return pass.filter({}, program_, Uniforms().set("source", pass.image({"normal_depth", {}})));
     }
@@ -185,6 +188,185 @@ TEST_F(images, looks_with_a_need_that_fails_change_nothing)
     renderer_->set_looks({{"good", &good}}, {{.style = 0}, {.style = 0}});
     EXPECT_THAT(made, testing::ElementsAre("inverted", "nobody_makes_this", "inverted")) << "nothing was kept";
     EXPECT_NE(draw(view).bytes, before.bytes);
+}
+
+/// An image that is white where object 1 is seen; writes down its items.
+class SeenPass final : public ImagePass {
+ public:
+    SeenPass(ProgramCache& programs, TargetDepth depth, std::vector<std::uint32_t>& objects)
+        : depth_(depth), objects_(objects)
+    {
+        prepare(programs);
+    }
+    Needs needs() const override { return {}; }
+    void prepare(ProgramCache& programs) override { program_ = programs.surface("test_flat.frag"); }
+    Images make(Pass& pass, Items items) override
+    {
+        objects_.clear();
+        std::vector<DrawItem> drawn;
+        for (const DrawItem& item : items) {
+            objects_.push_back(item.object());
+            if (item.object() == 1) drawn.push_back(item);
+        }
+        return pass.render({.depth = depth_}, program_, Uniforms().set("flat_colour", glm::vec3(1.0f)), drawn);
+    }
+
+ private:
+    TargetDepth depth_;
+    std::vector<std::uint32_t>& objects_;
+    Program program_;
+};
+
+TEST_F(images, an_image_pass_gets_the_items_whose_style_needs_it_and_what_hides_them_when_it_wants)
+{
+    // The first box is before the right half of the second.
+    add_object(scene_, box_mesh(glm::vec3(2.0f, 2.0f, 0.1f)), at(1, 0, 1), Material{});
+    add_object(scene_, box_mesh(glm::vec3(2.0f, 2.0f, 0.1f)), at(0, 0, 0), Material{});
+    std::vector<std::uint32_t> objects;
+    TargetDepth depth = TargetDepth::own;
+    input_.image_passes = [&](const ImageKey& key) -> std::unique_ptr<ImagePass> {
+        if (key.pass != "seen") return nullptr;
+        return std::make_unique<SeenPass>(renderer_->program_cache(kShaders), depth, objects);
+    };
+    TestStyle plain(glm::vec3(0.5f));
+    ShowingStyle masked({"seen", {}});
+    for (const bool is_scene : {false, true}) {
+        depth = is_scene ? TargetDepth::scene : TargetDepth::own;
+        load({{"plain", &plain}, {"masked", &masked}}, {{.style = 0}, {.style = 1}});
+        FrameOptions options{.samples = 1};
+        options.shown_image = {"seen", {}};
+        draw(view_from({0, 0, 6}, {0, 0, 0}), {.samples = 1});
+        EXPECT_THAT(objects, testing::ElementsAre(1)) << "of the style that needs it alone";
+        const Pixels shown = draw(view_from({0, 0, 6}, {0, 0, 0}), options);
+        EXPECT_THAT(objects, testing::ElementsAre(0, 1)) << "all, when somebody looks at it";
+        EXPECT_EQ(shown.at(130, 120)[0], 255);
+        EXPECT_EQ(shown.at(175, 120)[0], is_scene ? 0 : 255) << "there the other object hides it";
+    }
+}
+
+/// Draws numbers and colours at once into targets of half the size, and compares them on the device.
+class OutputsStyle final : public Style {
+ public:
+    explicit OutputsStyle(TargetDesc target) : target_(std::move(target)) {}
+    Needs needs() const override
+    {
+        Needs needs;
+        needs.streams.triangle_id = true;
+        return needs;
+    }
+    void prepare(ProgramCache& programs) override
+    {
+        outputs_ = programs.surface("test_outputs.frag");
+        compare_ = programs.full_screen("test_compare.frag");
+        show_ = programs.surface("test_show.frag");
+    }
+    void images(Pass& pass, Items items) override
+    {
+        made = pass.render(target_, outputs_, {}, items);
+        of_no_program = pass.render(target_, Program{}, {}, items);
+        of_wrong_program = pass.render(target_, compare_, {}, items);
+        unnamed = pass.image({"normal_depth", {}});
+        compared_ = pass.filter({}, compare_, Uniforms().set("ids", made[0]).set("colours", made[1]))[0];
+    }
+    void surfaces(Pass& pass, Items items) override { pass.surfaces(show_, Uniforms().set("shown", compared_), items); }
+
+    Images made, of_no_program, of_wrong_program;
+    Image unnamed;
+
+ private:
+    TargetDesc target_;
+    Program outputs_, compare_, show_;
+    Image compared_;
+};
+
+TEST_F(images, a_pass_fills_several_targets_of_several_formats)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, Material{});
+    OutputsStyle style({.outputs = {{.format = PixelFormat::rg32ui}, {.filter = PixelFilter::nearest}}, .scale = 0.5f});
+    load(style);
+    const Pixels pixels = draw(view_from({0, 0, 4}, {0, 0, 0}, {321, 241}), {.samples = 1});
+    EXPECT_EQ(pixels.at(160, 120)[0], 255) << "numbers and colours arrive as they were written";
+    ASSERT_EQ(style.made.size(), 2u);
+    EXPECT_EQ(style.made[0].size_px, glm::ivec2(161, 121)) << "sizes are rounded up";
+    EXPECT_TRUE(is_whole_number(style.made[0].format));
+    EXPECT_FALSE(style.made[2].is_valid()) << "there is no third";
+    EXPECT_EQ(style.of_no_program.size(), 0u);
+    EXPECT_EQ(style.of_wrong_program.size(), 0u) << "a full-screen program draws no faces";
+    EXPECT_FALSE(style.unnamed.is_valid()) << "its needs do not name it";
+}
+
+TEST_F(images, a_pass_without_outputs_or_with_too_many_draws_nothing)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, Material{});
+    for (const std::size_t count : {std::size_t(0), kMaxTargetOutputs + 1}) {
+        OutputsStyle style({.outputs = std::vector<TargetOutput>(count), .scale = 1e9f});
+        load(style);
+        draw(view_from({0, 0, 4}, {0, 0, 0}), {.samples = 1});
+        EXPECT_EQ(style.made.size(), 0u);
+    }
+}
+
+TEST_F(images, one_is_shown_in_place_of_the_picture)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, Material{});
+    TestStyle style(glm::vec3(0.5f));
+    load(style);
+    FrameOptions options;
+    options.shown_image = {"normal_depth", {}};
+    const View view = view_from({0, 0, 4}, {0, 0, 0});
+    const Pixels normals = draw(view, options);
+    EXPECT_EQ(normals.at(160, 120)[0], 0);
+    EXPECT_EQ(normals.at(160, 120)[2], 255) << "its normal is +z";
+    EXPECT_EQ(normals.at(2, 2)[2], 0);
+    options.shown_image = {"object_ids", {}};
+    EXPECT_NE(draw(view, options).at(160, 120)[0], 0);
+    EXPECT_EQ(draw(view, options).at(2, 2)[0], 0);
+    options.shown_image = {"nobody_makes_this", {}};
+    EXPECT_THROW(draw(view, options), Error);
+    options.shown_image = {"object_ids", {{"size", 2.0}}};
+    EXPECT_THROW(draw(view, options), Error) << "it has no parameters";
+}
+
+/// Shows a texture of its own.
+class TexturedStyle final : public Style {
+ public:
+    explicit TexturedStyle(std::string file) : file_(std::move(file)) {}
+    Needs needs() const override { return {}; }
+    void prepare(ProgramCache& programs) override
+    {
+        program_ = programs.surface("test_texture.frag");
+        texture = programs.texture(file_);
+    }
+    void surfaces(Pass& pass, Items items) override { pass.surfaces(program_, Uniforms().set("own", texture), items); }
+
+    Image texture;
+
+ private:
+    std::string file_;
+    Program program_;
+};
+
+TEST_F(images, a_style_brings_textures_of_its_own)
+{
+    int reads = 0;
+    const auto read = [&](const fs::path& file) {
+        ++reads;
+        if (!fs::exists(file)) throw Error({.what = "no file " + file.string()});
+        return Pixels{.width = 1, .height = 1, .channels = 3, .bytes = {0, 255, 0}};
+    };
+    Renderer renderer(*context_, read);
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, Material{});
+    TexturedStyle style("test_show.frag");
+    style.prepare(renderer.program_cache(kShaders));
+    style.prepare(renderer.program_cache(kShaders));
+    EXPECT_EQ(reads, 1) << "each file once";
+    renderer.load({.scene = &scene_, .styles = {{"only", &style}}, .objects = {{.style = 0}}});
+    renderer.draw(view_from({0, 0, 4}, {0, 0, 0}), {});
+    EXPECT_EQ(renderer.read_picture().at(160, 120)[1], 255);
+    EXPECT_EQ(renderer.read_picture().at(160, 120)[0], 0);
+    for (const char* file : {"nothing.png", "../shaders/test_show.frag", "", "/nothing/at/all.png"})
+        EXPECT_THROW(TexturedStyle(file).prepare(renderer.program_cache(kShaders)), Error) << file;
+    EXPECT_THROW(style.prepare(renderer_->program_cache(kShaders)), Error) << "a host without a reader";
 }
 
 TEST_F(images, a_saved_shader_shows_and_a_broken_one_keeps_the_last_good)

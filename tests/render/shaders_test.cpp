@@ -44,8 +44,8 @@ const std::map<std::string, SurfaceFeatures> kCombinations = {
      SurfaceFeatures(2) << f::kLightmapBit | SurfaceFeatures(1) << f::kLightCountBit | f::kDoubleSided},
     {"mapped", f::kUv0 | f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) |
                    f::map_of(MapKind::ramp) | f::map_of(MapKind::image) | SurfaceFeatures(1) << f::kLightCountBit},
-    {"streamed", f::kUv0 | f::kHatchUv | f::kDirection | f::map_of(MapKind::ink) | f::map_of(MapKind::hatch) |
-                     SurfaceFeatures(2) << f::kLightmapBit},
+    {"streamed", f::kUv0 | f::kHatchUv | f::kDirection | f::kTriangleId | f::map_of(MapKind::ink) |
+                     f::map_of(MapKind::hatch) | SurfaceFeatures(2) << f::kLightmapBit},
     {"streamed_without_uv",
      f::kHatchUv | f::map_of(MapKind::tonal) | f::kShadow | SurfaceFeatures(1) << f::kLightCountBit},
     {"mapped_without_uv", f::map_of(MapKind::hatch) | f::map_of(MapKind::ink) | f::map_of(MapKind::tonal) |
@@ -71,7 +71,9 @@ std::string vertex_file_for(const fs::path& fragment)
 {
     fs::path own = fragment;
     if (fs::exists(own.replace_extension(".vert"))) return shader_name(own);
-    return text_of(fragment).find("full_screen.glsl") == std::string::npos ? "surface.vert" : "full_screen.vert";
+    const std::string text = text_of(fragment);
+    if (text.find("line_pen.glsl") != std::string::npos) return "lines/line_quad.vert";
+    return text.find("full_screen.glsl") == std::string::npos ? "surface.vert" : "full_screen.vert";
 }
 
 /// The define lines that a plugin's source gives to its programs, each with the empty one.
@@ -94,12 +96,15 @@ void compile_folder(const fs::path& folder, bool is_es, int& compiled)
     for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
         if (file.path().extension() != ".frag") continue;
         const std::string fragment = shader_name(file.path());
-        for (const std::string& define : defines_in(folder))
+        std::vector<std::string> defines = defines_in(folder);
+        if (vertex_file_for(file.path()) == "lines/line_quad.vert") defines.push_back("#define HW_STROKE 1\n");
+        if (fragment == "show_image.frag") defines.push_back("#define HW_WHOLE_NUMBERS 1\n");
+        for (const std::string& define : defines)
             for (const auto& [name, features] : kCombinations) {
-                const std::string defines = feature_defines(features) + define;
+                const std::string all = feature_defines(features) + define;
                 try {
-                    const GpuProgram program(load_shader(vertex_file_for(file.path()), folders, defines),
-                                             load_shader(fragment, folders, defines), is_es);
+                    const GpuProgram program(load_shader(vertex_file_for(file.path()), folders, all),
+                                             load_shader(fragment, folders, all), is_es);
                     ++compiled;
                 } catch (const Error& error) {
                     ADD_FAILURE() << fragment << " (" << name << ", " << define << "): " << error.what();

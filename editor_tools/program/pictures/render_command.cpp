@@ -14,6 +14,7 @@
 #include "program/level/level_doubts.hpp"
 #include "program/option_rules.hpp"
 #include "program/output_files.hpp"
+#include "program/pictures/image_key.hpp"
 #include "program/pictures/shots.hpp"
 #include "program/pictures/stats_text.hpp"
 #include "program/pictures/world_shown.hpp"
@@ -30,6 +31,7 @@ struct RenderArguments {
     fs::path out;
     int samples = 4;
     std::string lines = "quads";
+    std::string shown_image;
     std::string part = "1/1";
     bool has_stats = false;
     fs::path json;
@@ -75,26 +77,28 @@ Part part_of(const RenderArguments& arguments)
     return part;
 }
 
-void check_arguments(const RenderArguments& arguments)
-{
-    parse_size(arguments.size);
-    part_of(arguments);
-    check_shot_arguments(arguments.shots);
-    require_outputs(output_files(arguments, is_path(arguments) ? 0 : 1), {arguments.level.file});
-    if (is_path(arguments))
-        require_writable_folder(arguments.out, "--out");
-    else if (arguments.out.extension() != ".png")
-        throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .png"});
-}
-
 FrameOptions frame_options(const RenderArguments& arguments)
 {
     FrameOptions options;
     options.samples = arguments.samples;
     options.use_pvs = !arguments.level.without_pvs;
     options.line_path = kLinePaths.at(arguments.lines);
+    if (!arguments.shown_image.empty()) options.shown_image = image_key_of(arguments.shown_image);
     options.is_timed = arguments.has_stats || !arguments.json.empty();
     return options;
+}
+
+void check_arguments(const RenderArguments& arguments)
+{
+    parse_size(arguments.size);
+    part_of(arguments);
+    frame_options(arguments);
+    check_shot_arguments(arguments.shots);
+    require_outputs(output_files(arguments, is_path(arguments) ? 0 : 1), {arguments.level.file});
+    if (is_path(arguments))
+        require_writable_folder(arguments.out, "--out");
+    else if (arguments.out.extension() != ".png")
+        throw Error({.what = "--out " + arguments.out.string(), .expected = "a name that ends in .png"});
 }
 
 JsonValue result_json(const RenderArguments& arguments, const Context& context)
@@ -162,6 +166,11 @@ void add_render_command(CommandLine app)
     command.add_option("--lines", arguments->lines, "How lines are drawn: quads, or native (GL_LINES)")
         .option_text("WAY")
         .check(one_of({"quads", "native"}));
+    command
+        .add_option("--show-image", arguments->shown_image,
+                    "Draws an image that styles need in place of the picture: its pass and parameters, such as "
+                    "normal_depth or 'edge_map operator=c1 width_px=2'")
+        .option_text("KEY");
     command
         .add_option("--part", arguments->part, "Only every N-th picture of a path from the K-th on, for many machines")
         .option_text("K/N");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/style/colour.hpp"
@@ -88,6 +89,31 @@ std::vector<glm::vec3> hatch_stream(const HatchCoordinates& hatch)
     for (std::size_t i = 0; i < hatch.uv.size(); ++i)
         stream.emplace_back(hatch.uv[i], static_cast<float>(hatch.vertex[i]));
     return stream;
+}
+
+/// The mesh's own vertices, without coordinates.
+HatchCoordinates no_coordinates(const MeshData& mesh)
+{
+    HatchCoordinates none;
+    none.vertex.resize(mesh.positions.size());
+    std::iota(none.vertex.begin(), none.vertex.end(), 0u);
+    none.uv.resize(mesh.positions.size());
+    none.direction.resize(mesh.positions.size());
+    none.indices = mesh.indices;
+    return none;
+}
+
+/// Three vertices for each triangle, so that a vertex tells its triangle: gl_PrimitiveID is not in ES.
+HatchCoordinates loosened(const HatchCoordinates& hatch)
+{
+    HatchCoordinates loose;
+    for (const std::uint32_t vertex : hatch.indices) {
+        loose.indices.push_back(static_cast<std::uint32_t>(loose.indices.size()));
+        loose.vertex.push_back(hatch.vertex[vertex]);
+        loose.uv.push_back(hatch.uv[vertex]);
+        loose.direction.push_back(hatch.direction[vertex]);
+    }
+    return loose;
 }
 
 /// The mesh with its vertices repeated as the coordinates need them.
@@ -211,26 +237,35 @@ GpuScene::GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps
 {
     for (const MeshData& mesh : scene.meshes) meshes_.push_back(mesh.positions.empty() ? GpuMesh() : upload_mesh(mesh));
     for (const Material& material : scene.materials) materials_.push_back(upload(material));
+    int first = 0;
+    for (const Object& object : scene.objects) {
+        first_triangle_.push_back(first);
+        first += static_cast<int>(scene.meshes[object.mesh].triangle_count());
+    }
 }
 
 StreamMesh GpuScene::mesh_of(ObjectId object, const Streams& streams)
 {
+    namespace f = surface_feature;
     const int index = scene_.objects[object].mesh;
     const GpuMesh& own = meshes_[index];
-    const bool has_uv = (own.features & surface_feature::kUv0) != 0;
-    const bool makes_uv = streams.hatch_uv && (streams.hatch_source != HatchSource::model || !has_uv);
-    if (own.index_count == 0 || (!makes_uv && !streams.direction)) return {&own, own.features};
-    HatchSource source = streams.hatch_source;
-    if (source == HatchSource::model) source = streams.direction ? HatchSource::principal : HatchSource::box;
-    const auto [place, is_new] = hatch_meshes_.try_emplace({index, source});
+    const bool makes_uv = streams.hatch_uv && (streams.hatch_source != HatchSource::model || !(own.features & f::kUv0));
+    const bool has_hatch = makes_uv || streams.direction;
+    if (own.index_count == 0 || (!has_hatch && !streams.triangle_id)) return {&own, own.features};
+    StreamKey key{index, std::nullopt, streams.triangle_id};
+    if (has_hatch) key.source = streams.hatch_source;
+    if (key.source == HatchSource::model) key.source = streams.direction ? HatchSource::principal : HatchSource::box;
+    const auto [place, is_new] = stream_meshes_.try_emplace(key);
     if (is_new) {
         const MeshData& mesh = scene_.meshes[index];
-        const HatchCoordinates hatch = make_hatch_coordinates(mesh, source);
+        HatchCoordinates hatch = key.source ? make_hatch_coordinates(mesh, *key.source) : no_coordinates(mesh);
+        if (key.is_loose) hatch = loosened(hatch);
         place->second = upload_mesh(repeated(mesh, hatch), &hatch);
     }
     SurfaceFeatures features = own.features;
-    if (makes_uv) features |= surface_feature::kHatchUv;
-    if (streams.direction) features |= surface_feature::kDirection;
+    if (makes_uv) features |= f::kHatchUv;
+    if (streams.direction) features |= f::kDirection;
+    if (streams.triangle_id) features |= f::kTriangleId;
     return {&place->second, features};
 }
 
@@ -286,22 +321,6 @@ const GpuMap& GpuScene::map(int index)
     std::optional<GpuMap>& gpu = gpu_maps_[index];
     if (!gpu) gpu = upload_map(*maps_[index]);
     return *gpu;
-}
-
-const GpuMesh& GpuScene::loose_mesh(int index)
-{
-    GpuMesh& gpu = meshes_[index];
-    if (gpu.loose_vertices.id() != 0 || gpu.index_count == 0) return gpu;
-    const MeshData& mesh = scene_.meshes[index];
-    std::vector<glm::vec3> loose;
-    for (const std::uint32_t vertex : mesh.indices) loose.push_back(mesh.positions[vertex]);
-    gpu.loose_vertices = GpuBuffer(loose);
-    const VertexStream stream{.input = VertexInput::position,
-                              .buffer = &gpu.loose_vertices,
-                              .components = 3,
-                              .stride_bytes = sizeof(glm::vec3)};
-    gpu.loose_array = GpuVertexArray({&stream, 1}, nullptr);
-    return gpu;
 }
 
 }  // namespace hw

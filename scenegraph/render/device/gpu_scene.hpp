@@ -23,9 +23,6 @@ struct GpuMesh {
     SurfaceFeatures features = 0;  ///< Its vertex streams.
     float metres_per_uv = 1.0f;    ///< How far a unit of uv0 reaches on the surface, object space, at the median.
     std::uint32_t index_count = 0;
-    // Three vertices of its own for each triangle, for triangle ids. Made when an image of them is asked for.
-    GpuBuffer loose_vertices;
-    GpuVertexArray loose_array;
 };
 
 /// A material on the device: ids of textures, 0 where there is none.
@@ -60,16 +57,24 @@ class GpuScene {
     const GpuMesh& mesh(int index) const { return meshes_[index]; }
     const GpuMaterial& material(int index) const { return materials_[index]; }
     const GpuMesh& mesh_of(ObjectId object) const { return meshes_[scene_.objects[object].mesh]; }
-    /// The object's mesh with `streams`, made when it is not there yet: vertices then stand once for each chart,
-    /// triangles in the same order.
+    /// The object's mesh with `streams`, made when it is not there yet: vertices then stand once for each chart, or
+    /// once for each triangle; triangles in the same order.
     StreamMesh mesh_of(ObjectId object, const Streams& streams);
-    int hatch_streams_built() const { return static_cast<int>(hatch_meshes_.size()); }
+    int hatch_streams_built() const { return static_cast<int>(stream_meshes_.size()); }
     const GpuMaterial& material_of(ObjectId object) const { return materials_[scene_.objects[object].material]; }
     const GpuMap& map(int index);
-    /// The mesh with loose vertices for triangle ids.
-    const GpuMesh& loose_mesh(int index);
+    /// How many triangles the objects before this one have: where the numbers of its own begin.
+    int first_triangle(ObjectId object) const { return first_triangle_[object]; }
 
  private:
+    /// A mesh with streams of its own.
+    struct StreamKey {
+        int mesh;
+        std::optional<HatchSource> source;  ///< None: no coordinates that strokes follow.
+        bool is_loose;                      ///< Three vertices of its own for each triangle.
+        auto operator<=>(const StreamKey&) const = default;
+    };
+
     std::uint32_t texture(const TextureUse& use, bool is_srgb);
     GpuMaterial upload(const Material& material);
 
@@ -77,7 +82,8 @@ class GpuScene {
     FilterMode texture_filter_;
     std::vector<const MapLevels*> maps_;
     std::vector<GpuMesh> meshes_;
-    std::map<std::pair<int, HatchSource>, GpuMesh> hatch_meshes_;
+    std::map<StreamKey, GpuMesh> stream_meshes_;
+    std::vector<int> first_triangle_;  ///< Of each object.
     std::vector<GpuMaterial> materials_;
     std::vector<std::optional<GpuMap>> gpu_maps_;
     std::map<std::pair<int, bool>, GpuTexture> textures_;

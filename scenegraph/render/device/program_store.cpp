@@ -12,6 +12,8 @@ namespace {
 
 constexpr const char* kSurfaceVertexFile = "surface.vert";
 constexpr const char* kFullScreenVertexFile = "full_screen.vert";
+constexpr const char* kLineVertexFile = "lines/line_quad.vert";
+constexpr const char* kStrokeDefine = "#define HW_STROKE 1\n";
 
 SurfaceLocations locations_of(const GpuProgram& program)
 {
@@ -41,7 +43,9 @@ SurfaceLocations locations_of(const GpuProgram& program)
                            .unit_emissive = unit("hw_emissive_map"),
                            .unit_shadow = unit("hw_shadow_map"),
                            .unit_lightmap = unit("hw_lightmap"),
-                           .lightmap_place = at("hw_lightmap_place")};
+                           .lightmap_place = at("hw_lightmap_place"),
+                           .object_id = at("hw_object_id"),
+                           .first_triangle = at("hw_first_triangle")};
     for (std::size_t kind = 0; kind < kMapKindCount; ++kind) {
         const std::string name = "hw_" + std::string(kMapKinds[kind].name);
         found.map_info[kind] = program.location(name + "_info");
@@ -72,7 +76,7 @@ bool has_own_discard(const ShaderText& fragment)
 std::string feature_defines(SurfaceFeatures features)
 {
     namespace f = surface_feature;
-    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 14> kFlags = {{
+    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 15> kFlags = {{
         {f::kUv0, "HW_HAS_UV0"},
         {f::kUv1, "HW_HAS_UV1"},
         {f::kTangents, "HW_HAS_TANGENTS"},
@@ -87,6 +91,7 @@ std::string feature_defines(SurfaceFeatures features)
         {f::kLightRanges, "HW_LIGHT_RANGES"},
         {f::kHatchUv, "HW_HAS_HATCH_UV"},
         {f::kDirection, "HW_HAS_DIRECTION"},
+        {f::kTriangleId, "HW_HAS_TRIANGLE_ID"},
     }};
     static constexpr std::array<std::pair<int, const char*>, 6> kMaps = {{
         {f::kBaseColourMapBit, "HW_BASE_COLOUR_MAP"},
@@ -130,14 +135,22 @@ class ProgramStore::FolderCache final : public ProgramCache {
     {
         return store_.add(folder_, kFullScreenVertexFile, fragment_file, defines);
     }
+    Program line(std::string_view fragment_file, std::string_view defines) override
+    {
+        return store_.add(folder_, kLineVertexFile, fragment_file, kStrokeDefine + std::string(defines));
+    }
+    Image texture(std::string_view file) override { return store_.textures_.texture(folder_, file); }
 
  private:
     ProgramStore& store_;
     fs::path folder_;
 };
 
-ProgramStore::ProgramStore(fs::path engine_folder, fs::path kit_folder, bool is_es)
-    : engine_folder_(std::move(engine_folder)), kit_folder_(std::move(kit_folder)), is_es_(is_es)
+ProgramStore::ProgramStore(fs::path engine_folder, fs::path kit_folder, bool is_es, ImageReader read_image)
+    : engine_folder_(std::move(engine_folder)),
+      kit_folder_(std::move(kit_folder)),
+      textures_(std::move(read_image)),
+      is_es_(is_es)
 {
     plain_ = add(engine_folder_, kSurfaceVertexFile, "plain.frag", {});
 }
@@ -198,22 +211,37 @@ const LinkedProgram* ProgramStore::variant(Family& family, SurfaceFeatures featu
     return made.get();
 }
 
-const LinkedProgram* ProgramStore::surface(Program program, SurfaceFeatures features)
+ProgramStore::Family* ProgramStore::family_of(Program program, std::string_view vertex_file) const
 {
     if (!program.is_valid() || program.id > families_.size()) return nullptr;
-    const LinkedProgram* linked = variant(*families_[program.id - 1], features);
+    Family& family = *families_[program.id - 1];
+    return family.vertex_file == vertex_file ? &family : nullptr;
+}
+
+const LinkedProgram* ProgramStore::surface(Program program, SurfaceFeatures features)
+{
+    Family* family = family_of(program, kSurfaceVertexFile);
+    if (family == nullptr) return nullptr;
+    const LinkedProgram* linked = variant(*family, features);
     return linked != nullptr || program.id == plain_.id ? linked : surface(plain_, features);
 }
 
 bool ProgramStore::discards(Program program) const
 {
-    return program.is_valid() && program.id <= families_.size() && families_[program.id - 1]->discards;
+    const Family* family = family_of(program, kSurfaceVertexFile);
+    return family != nullptr && family->discards;
 }
 
 const LinkedProgram* ProgramStore::full_screen(Program program)
 {
-    if (!program.is_valid() || program.id > families_.size()) return nullptr;
-    return variant(*families_[program.id - 1], 0);
+    Family* family = family_of(program, kFullScreenVertexFile);
+    return family == nullptr ? nullptr : variant(*family, 0);
+}
+
+const LinkedProgram* ProgramStore::line(Program program, SurfaceFeatures features)
+{
+    Family* family = family_of(program, kLineVertexFile);
+    return family == nullptr ? nullptr : variant(*family, features & surface_feature::kPresence);
 }
 
 const LinkedProgram& ProgramStore::engine(std::string_view vertex_file, std::string_view fragment_file,

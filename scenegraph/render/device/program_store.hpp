@@ -12,6 +12,7 @@
 
 #include "hatchway/gl/gpu_program.hpp"
 #include "hatchway/param/map_kind.hpp"
+#include "hatchway/render/device/texture_store.hpp"
 #include "hatchway/style/program_cache.hpp"
 
 namespace hw {
@@ -45,6 +46,7 @@ inline constexpr int kSunCountBit = 30;
 inline constexpr int kLightmapBit = 34;
 inline constexpr SurfaceFeatures kHatchUv = SurfaceFeatures(1) << 37;
 inline constexpr SurfaceFeatures kDirection = SurfaceFeatures(1) << 38;
+inline constexpr SurfaceFeatures kTriangleId = SurfaceFeatures(1) << 39;
 /// One bit for each kind of map, in the order of kMapKinds.
 inline constexpr int kMapBit = 40;
 constexpr SurfaceFeatures map_of(MapKind kind) { return SurfaceFeatures(1) << (kMapBit + static_cast<int>(kind)); }
@@ -59,6 +61,7 @@ struct SurfaceLocations {
     int unit_base_colour, unit_metallic_roughness, unit_normal, unit_occlusion, unit_emissive;
     int unit_shadow, unit_lightmap;
     int lightmap_place;
+    int object_id, first_triangle;
     std::array<int, kMapKindCount> map_info, unit_map;  ///< By kind of map.
 };
 
@@ -70,10 +73,13 @@ struct LinkedProgram {
 /// All programs of a renderer: styles' and the engine's own. Ids stay valid when files are read anew.
 class ProgramStore {
  public:
-    /// `engine_folder` holds the engine's shaders, `kit_folder` what styles share beside: each style's shaders find both.
-    ProgramStore(std::filesystem::path engine_folder, std::filesystem::path kit_folder, bool is_es);
+    /// `engine_folder` holds the engine's shaders, `kit_folder` what styles share beside: each style's shaders find
+    /// both. `read_image` decodes textures of styles.
+    ProgramStore(std::filesystem::path engine_folder, std::filesystem::path kit_folder, bool is_es,
+                 ImageReader read_image);
     ~ProgramStore();
 
+    const std::filesystem::path& engine_folder() const { return engine_folder_; }
     /// Lives as long as the store.
     ProgramCache& cache(const std::filesystem::path& style_folder);
 
@@ -83,6 +89,8 @@ class ProgramStore {
     /// Whether the fragment stage discards by itself, beside the alpha mask of hw_material().
     bool discards(Program program) const;
     const LinkedProgram* full_screen(Program program);
+    /// A pen; of the features presence alone counts. Null as above.
+    const LinkedProgram* line(Program program, SurfaceFeatures features);
     /// A program of the engine from files of its own folder. Throws hw::Error.
     const LinkedProgram& engine(std::string_view vertex_file, std::string_view fragment_file,
                                 std::string_view defines = {});
@@ -100,9 +108,12 @@ class ProgramStore {
                 std::string_view defines);
     std::unique_ptr<LinkedProgram> compile(const Family& family, SurfaceFeatures features);
     const LinkedProgram* variant(Family& family, SurfaceFeatures features);
+    /// Null for an invalid id or one that was made with another vertex stage.
+    Family* family_of(Program program, std::string_view vertex_file) const;
 
     std::filesystem::path engine_folder_;
     std::filesystem::path kit_folder_;
+    TextureStore textures_;
     bool is_es_;
     int compiled_count_ = 0;
     std::vector<std::unique_ptr<Family>> families_;  ///< Program id - 1 -> family.

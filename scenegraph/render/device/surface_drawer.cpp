@@ -22,8 +22,7 @@ void add_lightmap_feature(const GpuLightmap& lightmap, ObjectId object, SurfaceF
     features |= kind << surface_feature::kLightmapBit;
 }
 
-}  // namespace
-
+/// The features that decide where an alpha mask cuts, and no other: what depth alone needs.
 SurfaceFeatures mask_features(const GpuMesh& mesh, const GpuMaterial& material)
 {
     namespace f = surface_feature;
@@ -31,6 +30,8 @@ SurfaceFeatures mask_features(const GpuMesh& mesh, const GpuMaterial& material)
     const SurfaceFeatures maps = static_cast<SurfaceFeatures>(3) << f::kBaseColourMapBit;
     return (mesh.features & (f::kUv0 | f::kUv1 | f::kColours)) | (material.features & (f::kAlphaMask | maps));
 }
+
+}  // namespace
 
 ItemMaps choose_maps(const std::map<MapKind, int>& of_object, const std::map<MapKind, int>& of_style)
 {
@@ -82,6 +83,7 @@ void SurfaceDrawer::draw(const SurfaceRun& run, std::span<const SurfaceItem> ite
         apply_faces(run.state, item);
         state_.bind(mesh.array);
         set_object(*program, item, run.time_s);
+        GpuProgram::set(program->at.first_triangle, scene_.first_triangle(item.object->object));
         GpuProgram::set(program->at.hatch_scale, glm::vec2(mesh.metres_per_uv, 1.0f) * item.object->scale);
         if (&gpu_material != last_material) set_material(*program, gpu_material);
         last_material = &gpu_material;
@@ -134,6 +136,7 @@ void SurfaceDrawer::set_object(const LinkedProgram& program, const SurfaceItem& 
     GpuProgram::set(at.relative_from_object, item.object->relative_from_object);
     GpuProgram::set(at.normal_from_object, item.object->normal_from_object);
     GpuProgram::set(at.handedness, item.object->handedness);
+    GpuProgram::set(at.object_id, static_cast<int>(item.object->object) + 1);
     GpuProgram::set(at.certainty, item.item->certainty());
     set_presence(at.presence_height, at.presence_inverted, *item.item, time_s);
 }

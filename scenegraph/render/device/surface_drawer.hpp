@@ -65,9 +65,6 @@ class SurfaceDrawer {
     GpuScene& scene_;
 };
 
-/// The features that decide where an alpha mask cuts, and no other: what depth alone needs.
-SurfaceFeatures mask_features(const GpuMesh& mesh, const GpuMaterial& material);
-
 /// Gives a program a style's own uniforms and images. The program must be in use.
 void set_uniforms(const GpuProgram& program, const Uniforms& uniforms, GpuState& state);
 

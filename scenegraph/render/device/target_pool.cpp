@@ -8,8 +8,7 @@ constexpr int kIdleFramesKept = 30;
 bool is_same_kind(const GpuTargetDesc& a, const GpuTargetDesc& b)
 {
     return a.size_px == b.size_px && a.colours == b.colours && a.has_depth == b.has_depth &&
-           a.is_shadow_map == b.is_shadow_map && a.samples == b.samples && a.filter == b.filter &&
-           a.has_depth_texture == b.has_depth_texture;
+           a.is_shadow_map == b.is_shadow_map && a.samples == b.samples && a.has_depth_texture == b.has_depth_texture;
 }
 
 }  // namespace

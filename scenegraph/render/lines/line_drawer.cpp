@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hatchway/render/device/presence_uniforms.hpp"
+#include "hatchway/render/device/surface_drawer.hpp"
 #include "hatchway/render/view/frame_block.hpp"
 
 namespace hw {
@@ -48,11 +49,13 @@ LineDrawer::LineDrawer(const DeviceInfo& device, ProgramStore& programs, GpuStat
 {
 }
 
-LinePath LineDrawer::path_for(const LineFrame& frame, const LineLook& look) const
+LinePath LineDrawer::path_for(const LineFrame& frame, const LineRun& run) const
 {
+    const LineLook& look = run.look;
     // Quads have the width that is asked for, with any number of samples, and need no state of their own: see
     // `measure lines`. GL_LINES are the way of 2001, for who wants it.
-    if (frame.path != LinePath::native || look.depth_taper > 0.0f || !look.stroke.is_ruled()) return LinePath::quads;
+    const bool is_plain = look.depth_taper <= 0.0f && look.stroke.is_ruled() && !run.pen.program.is_valid();
+    if (frame.path != LinePath::native || !is_plain) return LinePath::quads;
     float widest = 0.0f;
     for (const Pen& pen : look.pens) widest = std::max(widest, pen.width_px * frame.view.px_scale);
     const bool fits = widest <= device_.max_line_width_px && widest + 1.0f <= device_.max_point_size_px;
@@ -88,11 +91,9 @@ std::vector<std::uint32_t> LineDrawer::stream_silhouettes(const LineFrame& frame
     return first_lines;
 }
 
-std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, const LineLook& look,
+std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, const LineRun& run,
                                                               bool has_presence) const
 {
-    std::string presence = has_presence ? "#define HW_PRESENCE 1\n" : "";
-    if (!look.stroke.is_ruled()) presence += "#define HW_STROKE 1\n";
     const auto make = [](const LinkedProgram& linked, Primitive primitive) {
         const GpuProgram& gpu = linked.gpu;
         return LineProgram{.gpu = &gpu,
@@ -105,6 +106,13 @@ std::vector<LineDrawer::LineProgram> LineDrawer::programs_for(LinePath path, con
                            .presence_height = linked.at.presence_height,
                            .presence_inverted = linked.at.presence_inverted};
     };
+    if (run.pen.program.is_valid()) {
+        const LinkedProgram* pen = programs_.line(run.pen.program, has_presence ? surface_feature::kPresence : 0);
+        if (pen == nullptr) return {};
+        return {make(*pen, Primitive::triangles)};
+    }
+    std::string presence = has_presence ? "#define HW_PRESENCE 1\n" : "";
+    if (!run.look.stroke.is_ruled()) presence += "#define HW_STROKE 1\n";
     if (path == LinePath::quads)
         return {make(programs_.engine("lines/line_quad.vert", "lines/line_quad.frag", presence), Primitive::triangles)};
     const std::string round = presence + "#define HW_ROUND_POINT 1\n";
@@ -122,6 +130,7 @@ void LineDrawer::set_look(const LineProgram& program, const LineFrame& frame, co
         colours[i] = linear_from_srgb(look.pens[i].colour);
     }
     state_.use(*program.gpu);
+    if (run.pen.uniforms != nullptr) set_uniforms(*program.gpu, *run.pen.uniforms, state_);
     state_.bind_texture(program.gpu->unit("hw_line_depth"), frame.depth_texture);
     GpuProgram::set(program.gpu->location("hw_line_width_px[0]"), std::span<const float>(widths));
     GpuProgram::set(program.gpu->location("hw_line_colour[0]"), std::span<const glm::vec3>(colours));
@@ -140,14 +149,14 @@ void LineDrawer::draw(const LineFrame& frame, const LineRun& run, const EdgeStor
 {
     const LineLook& look = run.look;
     const std::span<const LineItem> items = run.items;
-    const LinePath path = path_for(frame, look);
+    const LinePath path = path_for(frame, run);
     const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, run, edges);
     for (const bool with_presence : {false, true}) {
         const auto is_now = [&](const LineItem& item) {
             return (has_presence(*item.item) || varies(look.share)) == with_presence;
         };
         if (std::none_of(items.begin(), items.end(), is_now)) continue;
-        for (const LineProgram& program : programs_for(path, look, with_presence)) {
+        for (const LineProgram& program : programs_for(path, run, with_presence)) {
             set_look(program, frame, run);
             for (std::size_t i = 0; i < items.size(); ++i) {
                 const LineMesh* lines = edges.lines(items[i].object->object, run.crease_rad);

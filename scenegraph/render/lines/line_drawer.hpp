@@ -10,7 +10,7 @@
 #include "hatchway/render/lines/edge_store.hpp"
 #include "hatchway/render/view/frame_options.hpp"
 #include "hatchway/render/view/visible_set.hpp"
-#include "hatchway/style/draw_item.hpp"
+#include "hatchway/style/pass.hpp"
 #include "hatchway/style/view.hpp"
 
 namespace hw {
@@ -28,11 +28,18 @@ struct LineItem {
     const VisibleObject* object = nullptr;
 };
 
+/// A pen of a style's own; without a program, the engine's.
+struct LinePen {
+    Program program;
+    const Uniforms* uniforms = nullptr;
+};
+
 /// One call of a style for lines.
 struct LineRun {
     const LineLook& look;
     float crease_rad = 0.7f;  ///< Of the style's needs.
     std::span<const LineItem> items;
+    LinePen pen;
 };
 
 struct LineCounters {
@@ -53,10 +60,10 @@ class LineDrawer {
     struct Stretch;
     struct LineProgram;
 
-    LinePath path_for(const LineFrame& frame, const LineLook& look) const;
+    LinePath path_for(const LineFrame& frame, const LineRun& run) const;
     std::vector<std::uint32_t> stream_silhouettes(const LineFrame& frame, const LineRun& run, const EdgeStore& edges);
-    /// Programs of one path for one look: bodies of lines, and for GL_LINES their ends.
-    std::vector<LineProgram> programs_for(LinePath path, const LineLook& look, bool has_presence) const;
+    /// Programs of one path for one call: bodies of lines, and for GL_LINES their ends.
+    std::vector<LineProgram> programs_for(LinePath path, const LineRun& run, bool has_presence) const;
     static std::vector<Stretch> stretches_of(const LineMesh& lines, const LineFrame& frame, const LineLook& look,
                                              LinePath path);
     void set_look(const LineProgram& program, const LineFrame& frame, const LineRun& run);

@@ -7,9 +7,12 @@
 //         hw_output(material.base_colour, material.alpha * hw_presence(surface));
 //     }
 //
+// For Pass::render() into several outputs or whole numbers, write #define HW_OWN_OUTPUTS before the include and declare
+// `layout(location = 0) out ...` yourself.
+//
 // The host compiles a program once for each combination of material features that the scene has, by defines:
 //   HW_HAS_UV0 HW_HAS_UV1 HW_HAS_TANGENTS HW_HAS_COLOURS          vertex streams of the mesh
-//   HW_HAS_HATCH_UV HW_HAS_DIRECTION                               streams that the style asked for
+//   HW_HAS_HATCH_UV HW_HAS_DIRECTION HW_HAS_TRIANGLE_ID           streams that the style asked for
 //   HW_BASE_COLOUR_MAP HW_METALLIC_ROUGHNESS_MAP HW_NORMAL_MAP HW_OCCLUSION_MAP HW_EMISSIVE_MAP   textures of the material
 //   HW_ALPHA_MASK HW_ALPHA_BLEND HW_DOUBLE_SIDED HW_UNLIT          other features of the material
 //   HW_HATCH_MAP HW_INK_MAP HW_TONAL_MAP HW_RAMP_MAP HW_IMAGE_MAP  the object has a map of that kind: hw_hatch_map ...
@@ -22,7 +25,9 @@
 #include "fast_math.glsl"
 #include "presence.glsl"
 
+#ifndef HW_OWN_OUTPUTS
 layout(location = 0) out vec4 hw_fragment;
+#endif
 
 in vec3 hw_v_position_object;
 in vec3 hw_v_position_relative;
@@ -46,7 +51,11 @@ in vec2 hw_v_hatch_uv;
 #ifdef HW_HAS_DIRECTION
 in vec3 hw_v_direction_world;
 #endif
+#ifdef HW_HAS_TRIANGLE_ID
+flat in highp uint hw_v_triangle_id;
+#endif
 
+uniform int hw_object_id;           // from 1 on
 uniform float hw_certainty;         // of the level, in [0, 1]
 uniform float hw_handedness;        // -1 where the transform mirrors, else 1
 uniform vec2 hw_hatch_scale;        // metres per unit of uv0, and per unit of object space
@@ -113,6 +122,8 @@ struct HwSurface {
     vec4 colour;          // of the vertex, linear; 1 where the mesh has none
     vec3 to_eye_world;    // unit
     float distance_m;     // from the eye
+    uint object_id;       // of the object, from 1 on: what the image object_ids holds
+    uint triangle_id;     // through all objects, from 1 on, as in triangle_ids; 0 unless the style asks for it
 };
 
 struct HwMaterial {
@@ -131,6 +142,12 @@ HwSurface hw_surface()
     s.position_object = hw_v_position_object;
     s.position_world = hw_v_position_relative + hw_eye_world;
     s.distance_m = length(hw_v_position_relative);
+    s.object_id = uint(hw_object_id);
+#ifdef HW_HAS_TRIANGLE_ID
+    s.triangle_id = hw_v_triangle_id;
+#else
+    s.triangle_id = 0u;
+#endif
     s.to_eye_world = -hw_v_position_relative / max(s.distance_m, 1e-20);
     float side = 1.0;
 #ifdef HW_DOUBLE_SIDED
@@ -295,4 +312,6 @@ float hw_presence(HwSurface s)
 
 // The colour of this fragment, linear, 1 is paper white. Multiply hw_presence() into alpha: the host mixes blended
 // materials, and a style that lies over another, by it.
+#ifndef HW_OWN_OUTPUTS
 void hw_output(vec3 colour_linear, float alpha) { hw_fragment = vec4(colour_linear, alpha); }
+#endif

@@ -25,7 +25,7 @@ in vec4 hw_in_colour;
 out vec4 hw_v_colour;
 #endif
 
-#if defined(HW_HAS_HATCH_UV) || defined(HW_HAS_DIRECTION)
+#if defined(HW_HAS_HATCH_UV) || defined(HW_HAS_DIRECTION) || defined(HW_HAS_TRIANGLE_ID)
 in vec3 hw_in_hatch;  // u, v, vertex of the model
 #define HW_VERTEX int(hw_in_hatch.z + 0.5)
 #else
@@ -37,6 +37,11 @@ out vec2 hw_v_hatch_uv;
 #ifdef HW_HAS_DIRECTION
 in vec3 hw_in_direction;
 out vec3 hw_v_direction_world;
+#endif
+
+#ifdef HW_HAS_TRIANGLE_ID
+uniform int hw_first_triangle;  // of the object, through all objects
+flat out highp uint hw_v_triangle_id;
 #endif
 
 #ifdef HW_LIGHTMAP
@@ -90,6 +95,9 @@ void main()
 #endif
 #ifdef HW_HAS_DIRECTION
     hw_v_direction_world = mat3(hw_relative_from_object) * hw_in_direction;
+#endif
+#ifdef HW_HAS_TRIANGLE_ID
+    hw_v_triangle_id = uint(hw_first_triangle + gl_VertexID / 3) + 1u;
 #endif
 #ifdef HW_LIGHTMAP
 #if HW_LIGHTMAP == 1

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "hatchway/render/view/overlay.hpp"
+#include "hatchway/style/needs.hpp"
 
 namespace hw {
 
@@ -22,6 +25,7 @@ struct FrameOptions {
     FaceOffset line_offset;
     bool is_timed = false;  ///< Wait for the device after each phase, so that phases can be told apart.
     Overlay overlay;
+    std::optional<ImageKey> shown_image;  ///< Shown in place of the picture: an image of the frame.
 };
 
 }  // namespace hw

@@ -8,6 +8,7 @@ flat out vec4 hw_v_line_way;  // x length in pixels, yz direction, w slope of de
 flat out highp vec2 hw_v_line_depth;  // x at its beginning, y 1 for contours
 flat out vec3 hw_v_line_colour;
 #ifdef HW_STROKE
+flat out int hw_v_line_class;
 in vec4 hw_in_line_stroke;  // length along the stroke at this end and at the other, of the stroke, seed
 uniform vec4 hw_stroke_px;  // as in line_stroke.glsl
 flat out highp vec4 hw_v_stroke;
@@ -60,6 +61,7 @@ void main()
     hw_v_line_way = vec4(0.0);
     hw_v_line_depth = vec2(0.0);
 #ifdef HW_STROKE
+    hw_v_line_class = line_class;
     hw_v_stroke = hw_v_stroke_whole = vec4(0.0);
     hw_v_stroke_from = hw_v_stroke_to = vec3(0.0);
 #endif

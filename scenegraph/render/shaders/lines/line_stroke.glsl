@@ -2,7 +2,7 @@
 // the stroke's seed, and for silhouettes, which are other edges in every view, of the place itself. Bends are as long as
 // the look wants them on the screen, taken from the two nearest lengths in powers of two on the object, so that nothing
 // slides over it when the eye moves. drawing/stroke_shape.cpp computes the same for vectors, and a test compares them.
-// Included by line_quad.frag.
+// Included by line_pen.glsl.
 
 uniform vec4 hw_stroke_px;    // x stray sideways, y length of a bend, z overshoot, w length of the thin ends
 uniform vec2 hw_stroke_dash;  // x dash and gap in pixels, 0: unbroken; y share of the dash

@@ -1,5 +1,5 @@
 // A line is seen where its middle is: all its width is drawn there, also where it lies on a face that comes nearer at one
-// side, such as the floor before the foot of a wall. Included by line_quad.frag and line_end.frag.
+// side, such as the floor before the foot of a wall. Included by line_pen.glsl and line_end.frag.
 
 uniform highp sampler2D hw_line_depth;  // of the faces, behind them by the polygon offset
 

@@ -1,4 +1,4 @@
-// The engine's image "normal_depth": unit normal towards the eye (world space), distance along the view in metres.
+// The image "normal_depth": unit normal towards the eye (world space), depth along the view in metres; 0 where nothing is.
 #include "surface.glsl"
 
 void main()

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "hatchway/render/view/scene_input.hpp"
+
+namespace hw {
+
+/// The engine's own image passes, written with nothing but the plugin interface: "normal_depth", "object_ids" and
+/// "triangle_ids". Each shows all visible opaque and masked faces, whatever their style: what hides an object is there,
+/// too. For these names the result makes them with `programs`, a cache of the engine's shaders; `others` makes the
+/// rest.
+ImagePassSource with_engine_images(ImagePassSource others, ProgramCache& programs);
+
+}  // namespace hw
