@@ -7,9 +7,10 @@
 
 namespace hw {
 
-/// A map with its levels as its maker drew them, finest first. Values of hatch, ink and tonal maps are linear: 0 ink, 255
-/// paper; those of ramps and images are sRGB. Each level is half as wide as the one before, rounded down, and half as high
-/// (never below 1). Tonal maps hold their tones side by side, darkest last; ramps their colours, dark ones first.
+/// A map with its levels as its maker drew them, finest first. Values of hatch, ink and tonal maps are linear: 0 ink,
+/// 255 paper; those of ramps and images are sRGB. Each level is half as wide as the one before, rounded down, and half
+/// as high (never below 1). Tonal maps hold their tones side by side, darkest last; ramps their colours, dark ones
+/// first.
 struct MapLevels {
     MapKind kind = MapKind::ink;
     std::vector<Pixels> levels;   ///< Never empty. One channel each, but for kinds in colour.

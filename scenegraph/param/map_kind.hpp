@@ -20,7 +20,9 @@ struct MapKindFacts {
 
 /// In the order of MapKind. A name in a level is that of a built-in map, or a folder relative to the level file.
 inline constexpr std::array<MapKindFacts, 5> kMapKinds{{
-    {.name = "hatch", .help = "Map of parallel lines: a built-in map, or a folder relative to this file.", .is_strip = true},
+    {.name = "hatch",
+     .help = "Map of parallel lines: a built-in map, or a folder relative to this file.",
+     .is_strip = true},
     {.name = "ink", .help = "Map of drawn detail: a built-in map, or a folder relative to this file."},
     {.name = "tonal", .help = "Map of hatching by tone: a built-in map, or a folder relative to this file."},
     {.name = "ramp",

@@ -41,9 +41,9 @@ struct ItemFacts {
     float certainty = 1.0f;  ///< Of the level, in [0, 1]: a free variable for colour or tone.
 };
 
-/// A handle of one visible object. The host makes it, binds geometry, material, maps, lights and presence by itself when
-/// it is drawn, and draws it in its own frame alone: one that was kept over frames, made by a style or never set is
-/// refused, which the log says once for each style.
+/// A handle of one visible object. The host makes it, binds geometry, material, maps, lights and presence by itself
+/// when it is drawn, and draws it in its own frame alone: one that was kept over frames, made by a style or never set
+/// is refused, which the log says once for each style.
 class DrawItem {
  public:
     DrawItem() = default;

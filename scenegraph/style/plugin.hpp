@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kStyleApiVersion = 2;
 enum class PluginKind : std::uint32_t { style, image_pass };
 
 /// What a plugin library exports, by the C function `hw_plugin`. The host reads `api_version` first and nothing else
-/// when it differs; then it refuses another compiler, GLM, build type or other headers, since those change the layout of
-/// what is passed.
+/// when it differs; then it refuses another compiler, GLM, build type or other headers, since those change the layout
+/// of what is passed.
 struct PluginEntry {
     std::uint32_t api_version;
     PluginKind kind;

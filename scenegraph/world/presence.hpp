@@ -4,8 +4,8 @@
 
 namespace hw {
 
-/// A share that rises smoothly from 0 at `from` to 1 at `to`, which may be the lower one; equal ends make a step. Over a
-/// height in the world, in metres, or over time, in seconds.
+/// A share that rises smoothly from 0 at `from` to 1 at `to`, which may be the lower one; equal ends make a step. Over
+/// a height in the world, in metres, or over time, in seconds.
 struct Ramp {
     float from = 0.0f;
     float to = 1.0f;

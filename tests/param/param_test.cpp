@@ -125,7 +125,7 @@ TEST(param_reader, an_image_of_a_level_lies_inside_of_its_project_and_is_there)
     EXPECT_TRUE(std::filesystem::path(read("../grain.png")).is_absolute());
     EXPECT_EQ(read(""), "") << "none";
     for (const std::string& bad : {std::string("../../outside.png"), std::string("none.png"), std::string(".."),
-                                  (folder.path() / "outside.png").string()})
+                                   (folder.path() / "outside.png").string()})
         EXPECT_NE(refusal([&] { read(bad); }).find("/styles/assumed/grain"), std::string::npos) << bad;
     std::filesystem::create_symlink(folder.path() / "outside.png", folder.path() / "project/levels/link.png");
     EXPECT_NE(refusal([&] { read("link.png"); }), "") << "a link that leads out";

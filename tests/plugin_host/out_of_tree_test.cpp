@@ -1,17 +1,29 @@
-// Builds every built-in style, and a style fresh from new-style, against an installation, the way a stranger would: so
-// no style has private hooks into the engine.
+// Builds every built-in style, the examples of the manual and a style fresh from new-style against an installation, the
+// way a stranger would: so no style has private hooks into the engine. Draws the examples.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
 
+<<<<<<< HEAD
 #include "hatchway/core/files/files.hpp"
+    == == ==
+    =
+#include "hatchway/core/files/files.hpp"
+#include "hatchway/gl/headless_context.hpp"
+#include "hatchway/io/images/images.hpp"
+        >>>>>>> 307288f(The manual of styles
+                        : four whole examples that a test builds and draws, the fields of surfaces, materials and lines,
+                          targets, and what may be kept)
 #include "hatchway/plugin_host/make_style.hpp"
 #include "hatchway/plugin_host/new_style.hpp"
+#include "hatchway/plugin_host/style_set.hpp"
+#include "hatchway/render/renderer.hpp"
+#include "hatchway/render/view/camera_view.hpp"
 #include "tests/plugin_host/plugin_tests.hpp"
 
-using namespace hw;
+                    using namespace hw;
 using namespace hw::test;
 
 namespace {
@@ -54,6 +66,61 @@ void write_project(const fs::path& folder, const std::vector<fs::path>& styles)
         file << "add_subdirectory(\"" << style.string() << "\" " << style.filename().string() << ")\n";
 }
 
+/// A floor under the eye, drawn by one of the examples.
+class ExampleStage {
+ public:
+    explicit ExampleStage(const PluginRegistry& registry)
+        : context_(make_headless_context()),
+          renderer_(*context_, read_image),
+          styles_(registry, [this](const fs::path& folder) -> ProgramCache& { return renderer_.program_cache(folder); })
+    {
+        MeshData floor;
+        for (const glm::vec3& corner :
+             {glm::vec3(-3, 0, 3), glm::vec3(3, 0, 3), glm::vec3(3, 0, -3), glm::vec3(-3, 0, -3)}) {
+            floor.positions.push_back(corner);
+            floor.normals.emplace_back(0.0f, 1.0f, 0.0f);
+            scene_.bounds_world.add(glm::dvec3(corner));
+        }
+        floor.indices = {0, 1, 2, 0, 2, 3};
+        scene_.meshes.push_back(std::move(floor));
+        scene_.materials.emplace_back().base_colour = glm::vec4(0.5f, 0.7f, 0.3f, 1.0f);
+        scene_.nodes.push_back({.name = "floor", .path = "floor"});
+        scene_.objects.push_back({.node = 0, .mesh = 0, .material = 0, .bounds_world = scene_.bounds_world});
+    }
+    ~ExampleStage() { EXPECT_THAT(context_->take_errors(), testing::IsEmpty()); }
+
+    Pixels drawn(const std::string& style, std::optional<ImageKey> shown = {})
+    {
+        SceneInput input;
+        input.scene = &scene_;
+        input.objects.resize(1);
+        input.objects[0].style = styles_.use(style, "");
+        input.styles = styles_.styles();
+        input.image_passes = styles_.image_passes();
+        renderer_.load(std::move(input));
+        FrameOptions options{.samples = 1};
+        options.shown_image = std::move(shown);
+        renderer_.draw(camera_view({{0, 1.5, 4}, {0, 0, 0}, 60.0}, {128, 96}, scene_.bounds_world), options);
+        EXPECT_THAT(styles_.failures(), testing::IsEmpty());
+        return renderer_.read_picture();
+    }
+
+ private:
+    std::unique_ptr<Context> context_;
+    Renderer renderer_;
+    StyleSet styles_;
+    Scene scene_;
+};
+
+/// Pixels that differ from the one to their right.
+int unlike_neighbours(const Pixels& pixels)
+{
+    int count = 0;
+    for (int y = 0; y < pixels.height; ++y)
+        for (int x = 0; x + 1 < pixels.width; ++x) count += *pixels.at(x, y) != *pixels.at(x + 1, y) ? 1 : 0;
+    return count;
+}
+
 }  // namespace
 
 TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installation_and_load)
@@ -71,6 +138,8 @@ TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installati
     std::vector<fs::path> styles;
     for (const fs::directory_entry& entry : fs::directory_iterator(HATCHWAY_SOURCE_DIR "/npr_plugins"))
         if (fs::exists(entry.path() / "CMakeLists.txt")) styles.push_back(entry.path());
+    for (const fs::directory_entry& entry : fs::directory_iterator(HATCHWAY_SOURCE_DIR "/docs/examples"))
+        styles.push_back(entry.path());
     write_new_style("fresh", root / "source");
     styles.push_back(root / "source" / "fresh");
     write_smallest_style(root / "source" / "flat");
@@ -89,6 +158,13 @@ TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installati
     const Plugin& fresh = require_plugin(registry, "fresh", PluginKind::style, {});
     EXPECT_TRUE(fs::exists(fresh.shader_folder / "fresh.frag"));
     EXPECT_NE(make_style(fresh, {}, {}), nullptr);
+    ExampleStage stage(registry);
+    EXPECT_GT(unlike_neighbours(stage.drawn("charcoal")), 100) << "lines on paper";
+    EXPECT_GT(unlike_neighbours(stage.drawn("soft_wash")), 100) << "shade";
+    EXPECT_GT(unlike_neighbours(stage.drawn("on_paper")), 5000) << "grain all over the floor";
+    const Pixels nearness = stage.drawn("charcoal", ImageKey{"nearness", {{"far_m", 8.0}}});
+    EXPECT_GT(nearness.at(64, 90)[0], nearness.at(64, 60)[0] + 20) << "the floor comes nearer";
+    EXPECT_EQ(nearness.at(64, 1)[0], 0) << "there is nothing";
     EXPECT_NE(make_style(require_plugin(registry, "flat", PluginKind::style, {}), {}, {}), nullptr);
     EXPECT_LE(lines_of_code(smallest_style()), 12);
 }

@@ -7,10 +7,10 @@
 
 namespace hw {
 
-/// Reads a level file (.json, comments allowed), or a bare model (kModelFormats), which gives a level with defaults. The
-/// model itself is not opened. Throws hw::Error with file, JSON pointer, what was found and what is allowed for text
-/// that is no JSON, an unknown, repeated or missing key, a wrong type, a value out of range, a path that leaves the
-/// project. Styles and their parameters belong to plugins, maps to files: who loads those checks them.
+/// Reads a level file (.json, comments allowed), or a bare model (kModelFormats), which gives a level with defaults.
+/// The model itself is not opened. Throws hw::Error with file, JSON pointer, what was found and what is allowed for
+/// text that is no JSON, an unknown, repeated or missing key, a wrong type, a value out of range, a path that leaves
+/// the project. Styles and their parameters belong to plugins, maps to files: who loads those checks them.
 Level read_level(const std::filesystem::path& file);
 
 /// The same from text, as if it stood in `file`.

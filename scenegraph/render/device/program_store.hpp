@@ -49,7 +49,10 @@ inline constexpr SurfaceFeatures kDirection = SurfaceFeatures(1) << 38;
 inline constexpr SurfaceFeatures kTriangleId = SurfaceFeatures(1) << 39;
 /// One bit for each kind of map, in the order of kMapKinds.
 inline constexpr int kMapBit = 40;
-constexpr SurfaceFeatures map_of(MapKind kind) { return SurfaceFeatures(1) << (kMapBit + static_cast<int>(kind)); }
+constexpr SurfaceFeatures map_of(MapKind kind)
+{
+    return SurfaceFeatures(1) << (kMapBit + static_cast<int>(kind));
+}
 }  // namespace surface_feature
 
 /// Where a surface program's uniforms stand; -1 where the program does not use one.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/files.hpp"
+#include "hatchway/core/files/files.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
