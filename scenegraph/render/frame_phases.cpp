@@ -124,7 +124,7 @@ void show_image(const Frame& frame, const ImageKey& key)
 {
     const Image image = frame.results.images[key][0];
     const char* defines = is_whole_number(image.format) ? "#define HW_WHOLE_NUMBERS 1\n" : "";
-    const LinkedProgram& program = frame.device.programs.engine("full_screen.vert", "show_image.frag", defines);
+    const LinkedProgram& program = frame.device.programs.engine("full_screen.vert", "images/show_image.frag", defines);
     frame.view.picture.bind();
     draw_full_screen(frame.device, program.gpu, Uniforms().set("shown", image));
 }

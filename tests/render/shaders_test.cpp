@@ -98,7 +98,7 @@ void compile_folder(const fs::path& folder, bool is_es, int& compiled)
         const std::string fragment = shader_name(file.path());
         std::vector<std::string> defines = defines_in(folder);
         if (vertex_file_for(file.path()) == "lines/line_quad.vert") defines.push_back("#define HW_STROKE 1\n");
-        if (fragment == "show_image.frag") defines.push_back("#define HW_WHOLE_NUMBERS 1\n");
+        if (fragment == "images/show_image.frag") defines.push_back("#define HW_WHOLE_NUMBERS 1\n");
         for (const std::string& define : defines)
             for (const auto& [name, features] : kCombinations) {
                 const std::string all = feature_defines(features) + define;

@@ -33,7 +33,7 @@ class ProbeStyle final : public Style {
     }
     void prepare(ProgramCache& programs) override
     {
-        program_ = programs.surface("hatch_probe.frag", "#define " + define_ + " 1\n");
+        program_ = programs.surface("measure/hatch_probe.frag", "#define " + define_ + " 1\n");
     }
     void surfaces(Pass& pass, Items items) override
     {
