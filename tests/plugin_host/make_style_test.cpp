@@ -61,10 +61,10 @@ struct ParamCritic final : ParamVisitor {
 
 TEST(make_style, a_missing_plugin_lists_those_there_are)
 {
-    EXPECT_THAT(
-        refusal([] { made("pencil"); }),
-        HasSubstr("hall.level.json: /styles/assumed: there is no style plugin \"pencil\"; expected one of: hybrid, "
-                  "makes_up_items, pen_and_ink, photoreal"));
+    const std::string said = refusal([] { made("pencil"); });
+    EXPECT_THAT(said,
+                HasSubstr("hall.level.json: /styles/assumed: there is no style plugin \"pencil\"; expected one of: "));
+    for (const char* name : {"hybrid", "pen_and_ink", "photoreal"}) EXPECT_THAT(said, HasSubstr(name));
 }
 
 TEST(make_style, a_refused_plugin_says_why)
