@@ -54,7 +54,7 @@ class line_shaders : public testing::Test {
     {
         const Program program = programs_.cache(kShaderFolder).full_screen(fragment_file);
         const LinkedProgram& linked = *programs_.full_screen(program);
-        GpuTarget target({.size_px = glm::ivec2(kSide), .colours = {TextureFormat::rgba32f}});
+        GpuTarget target({.size_px = glm::ivec2(kSide), .colours = {{.format = TextureFormat::rgba32f}}});
         for (std::uint32_t seed = 1; seed <= kCalls; ++seed) {
             target.bind();
             state_.forget();
@@ -73,7 +73,7 @@ class line_shaders : public testing::Test {
 
     std::unique_ptr<Context> context_ = make_headless_context();
     ProgramStore programs_{installation_prefix() / "share/hatchway/shaders",
-                           installation_prefix() / "share/hatchway/kit", context_->device().is_es};
+                           installation_prefix() / "share/hatchway/kit", context_->device().is_es, {}};
     GpuState state_;
     GpuVertexArray no_vertices_{{}, nullptr};
 };
