@@ -27,7 +27,8 @@ std::vector<std::string> doubts_from(const Level& level, const Scene& scene, std
     for (std::size_t i = first; i < level.assign.size(); ++i) {
         const AssignRule& rule = level.assign[i];
         if (names_something(rule, scene)) continue;
-        const std::string& names = rule.materials.empty() ? rule.nodes : rule.materials;
+        constexpr std::size_t kShown = 80;
+        const std::string names = (rule.materials.empty() ? rule.nodes : rule.materials).substr(0, kShown);
         found.push_back(
             fmt::format("{}: {}: \"{}\" names nothing in the model", level.file.string(), rule.pointer, names));
     }

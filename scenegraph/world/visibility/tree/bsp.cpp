@@ -233,6 +233,15 @@ BspBuild empty_build(const Grid& grid, const PlaneSet& planes, const std::array<
     return build;
 }
 
+/// Planes that all cross each other are told by the leaves that each polygon makes.
+BspLimits limits_of(std::size_t polygon_count, BspLimits limits)
+{
+    const auto most = static_cast<double>(limits.least_leaves) +
+                      static_cast<double>(limits.leaves_of_polygon) * static_cast<double>(polygon_count);
+    limits.most_leaves = static_cast<int>(std::min(most, static_cast<double>(limits.most_leaves)));
+    return limits;
+}
+
 bool is_inside(const Box& box, const glm::dvec3& p)
 {
     return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z &&
@@ -336,7 +345,7 @@ BspBuild build_bsp(const Grid& grid, PlaneSet planes, std::vector<BlockingPolygo
     const std::size_t polygon_count = polygons.size();
     while (true) {
         BspBuild build = empty_build(grid, planes, box_min, box_max);
-        TreeBuilder builder(build, most_part_m / grid.step_m, limits);
+        TreeBuilder builder(build, most_part_m / grid.step_m, limits_of(polygons.size(), limits));
         const bool is_last = polygons.empty();
         builder.build_structure(polygons, ConvexCell(box_of(box_min, box_max)), 0);
         build.left_out = polygon_count - polygons.size();

@@ -58,6 +58,8 @@ struct BspBuild {
 /// How far a tree may grow: planes that all cross each other part space into cells by the third power of their number.
 struct BspLimits {
     int most_leaves = 150'000;
+    int leaves_of_polygon = 16;           ///< So many for each polygon; a scene of rooms has two or three.
+    int least_leaves = 8192;              ///< That many there may always be.
     std::size_t most_steps = 30'000'000;  ///< Polygons at nodes.
 };
 
