@@ -11,7 +11,9 @@ namespace {
 StylePass pass_of(const Frame& frame, int style, PassStage stage)
 {
     const LoadedScene& scene = frame.scene;
-    return {frame, stage, {scene.input.styles[style].name, scene.needs[style], scene.style_maps[style]}};
+    return {frame,
+            stage,
+            {"the style \"" + scene.input.styles[style].name + '"', scene.needs[style], scene.style_maps[style]}};
 }
 
 Style& style_of(const Frame& frame, int style)
@@ -72,7 +74,8 @@ void draw_images(const Frame& frame)
 {
     for (const WantedImage& wanted : frame.view.images) {
         const NeededImage& image = frame.scene.images.at(wanted.key);
-        StylePass pass(frame, PassStage::images, {wanted.key.pass, image.needs, image.maps});
+        StylePass pass(frame, PassStage::images,
+                       {"the image pass \"" + wanted.key.pass + '"', image.needs, image.maps});
         frame.results.images[wanted.key] = image.pass->make(pass, items_of(wanted, frame.scene.input, frame.whole()));
         frame.device.state.apply({});
     }

@@ -58,7 +58,7 @@ Image StylePass::image(const ImageKey& key, std::size_t output) const
     const bool is_needed =
         std::find(drawer_.needs.images.begin(), drawer_.needs.images.end(), key) != drawer_.needs.images.end();
     if (is_needed && found != frame_.results.images.end()) return found->second[output];
-    frame_.device.tell_once(std::string(drawer_.who) + " reads the image \"" + key.pass +
+    frame_.device.tell_once(drawer_.who + " reads the image \"" + key.pass +
                             "\", which its needs do not name or nobody made");
     return {};
 }
@@ -122,7 +122,7 @@ std::vector<DrawItem> StylePass::of_this_frame(Items items) const
     for (const DrawItem& item : items)
         if (frame_.view.plan.items.has_made(item)) known.push_back(item);
     if (known.size() < items.size())
-        frame_.device.tell_once(std::string(drawer_.who) + " draws items that are not of this frame: left out");
+        frame_.device.tell_once(drawer_.who + " draws items that are not of this frame: left out");
     return known;
 }
 

@@ -2,6 +2,8 @@
 
 #include "hatchway/render/frame.hpp"
 
+#include <string>
+
 namespace hw {
 
 /// In which part of the frame a style draws.
@@ -18,7 +20,7 @@ class StylePass final : public Pass {
     /// `who` draws, in messages; its needs, and the maps that these name. All must outlive the frame's
     /// results.
     struct Drawer {
-        std::string_view who;
+        std::string who;  ///< In messages: the style "NAME".
         const Needs& needs;
         const std::map<MapKind, int>& maps;
     };

@@ -73,7 +73,9 @@ class line_shaders : public testing::Test {
 
     std::unique_ptr<Context> context_ = make_headless_context();
     ProgramStore programs_{installation_prefix() / "share/hatchway/shaders",
-                           installation_prefix() / "share/hatchway/kit", context_->device().is_es, {}};
+                           installation_prefix() / "share/hatchway/kit",
+                           context_->device().is_es,
+                           {}};
     GpuState state_;
     GpuVertexArray no_vertices_{{}, nullptr};
 };
