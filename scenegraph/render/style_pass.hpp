@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hatchway/render/frame.hpp"
-
 #include <string>
+
+#include "hatchway/render/frame.hpp"
 
 namespace hw {
 
