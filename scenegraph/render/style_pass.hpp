@@ -17,8 +17,7 @@ enum class PassStage : std::uint8_t {
 /// The host's side of Pass: one call of one style, or of one image pass.
 class StylePass final : public Pass {
  public:
-    /// `who` draws, in messages; its needs, and the maps that these name. All must outlive the frame's
-    /// results.
+    /// What draws, its needs and the maps that these name. Both must outlive the frame's results.
     struct Drawer {
         std::string who;  ///< In messages: the style "NAME".
         const Needs& needs;

@@ -1,7 +1,5 @@
 #include "hatchway/render/device/texture_store.hpp"
 
-#include <algorithm>
-
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
 
@@ -9,18 +7,13 @@ namespace hw {
 namespace fs = std::filesystem;
 namespace {
 
-bool leads_out(const fs::path& file)
-{
-    return std::any_of(file.begin(), file.end(), [](const fs::path& part) { return part == ".."; });
-}
-
 fs::path find_texture(const fs::path& folder, const fs::path& file)
 {
     if (file.is_absolute()) return file;
     const fs::path maps = installation_prefix() / "share" / "hatchway" / "maps";
-    if (!file.empty() && !leads_out(file))
-        for (const fs::path& candidate : {folder, maps})
-            if (std::error_code ignored; fs::is_regular_file(candidate / file, ignored)) return candidate / file;
+    for (const fs::path& place : {folder, maps})
+        if (std::error_code ignored; fs::is_regular_file(place / file, ignored))
+            return resolve_inside(place, place, file.string(), "", "");
     throw Error({.what = "no texture \"" + file.string() + "\"",
                  .expected = "a PNG or JPEG file in " + folder.string() + " or " + maps.string()});
 }
