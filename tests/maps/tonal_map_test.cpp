@@ -70,8 +70,9 @@ TEST(tonal_map, every_finer_level_holds_the_strokes_of_every_coarser_one_in_ever
 {
     // A texel that is all ink lies in the middle of a stroke; the same place must be inked, within a pen, at finer
     // levels.
-    for (std::size_t fine = 0; fine < tonal_map().levels.size(); ++fine)
-        for (std::size_t level = fine + 1; tonal_map().levels[level].height >= 16; ++level)
+    const std::size_t level_count = tonal_map().levels.size();
+    for (std::size_t fine = 0; fine < level_count; ++fine)
+        for (std::size_t level = fine + 1; level < level_count && tonal_map().levels[level].height >= 16; ++level)
             for (int light = 0; light < 5; ++light)
                 for (int dark = light; dark < 5; ++dark) {
                     const int coarse = tonal_map().levels[level].height;
