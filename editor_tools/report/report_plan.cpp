@@ -34,8 +34,9 @@ ReportSection silhouettes_section(const std::vector<std::string>& models)
                 "takes the welded, repaired surface from it.",
             .leaves_out =
                 "Preparing a surface (column preprocess_s). Faults of welding and repair: the judge starts from their "
-                "result. Moved and scaled models lose faces, since float positions collapse: read the column faces. "
-                "The OpenMesh row is a plain loop built with -O2.",
+                "result. Offsets in a node's matrix, which levels have: the vertices themselves are moved here. Where "
+                "float positions collapse so that less than 90 % of the faces are left, there is no row. The OpenMesh "
+                "row is a plain loop over handles; one that keeps each face's facing is faster.",
             .says =
                 "Milliseconds to find the silhouette edges from one eye, and the wrong edges against rational "
                 "arithmetic, for every method and precision, at growing offsets from the origin.",

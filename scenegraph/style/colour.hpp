@@ -5,7 +5,7 @@
 
 namespace hw {
 
-/// An sRGB colour, as parameters hold it, in linear light, as shaders reckon. Cheaper here, once, than for each
+/// An sRGB colour, as parameters hold it, in linear light, as shaders compute. Cheaper here, once, than for each
 /// fragment.
 inline glm::vec3 linear_colour(const glm::vec3& srgb)
 {

@@ -1,4 +1,4 @@
-// Figures in documents are those of the report.
+// Figures in documents are those of the report, and what is no result has none.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -72,6 +72,25 @@ TEST(report_program, a_figure_that_no_result_has_is_refused_and_no_page_is_writt
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.err, testing::HasSubstr("no_such_column"));
     EXPECT_EQ(bytes_of(report.page("a.md")), stale);
+}
+
+TEST(measure_program, a_mesh_whose_faces_collapse_is_no_result)
+{
+    const TemporaryFolder folder;
+    const std::string prism = (kContent / "models" / "prism.glb").string();
+    const auto measured = [&](const std::string& offsets) {
+        return run_program({"measure", "silhouettes", prism, "--views", "2", "--scale", "1e-6", "--offset", offsets,
+                            "--json", folder / "rows.json"});
+    };
+    const ProgramResult none = measured("1e3");
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_THAT(none.err, testing::HasSubstr("of 28 faces are left: not measured"));
+    EXPECT_THAT(folder.names(), testing::IsEmpty());
+
+    ASSERT_EQ(measured("0,1e3").exit_code, 0);
+    const std::string rows = bytes_of(folder / "rows.json");
+    EXPECT_THAT(rows, testing::HasSubstr("\"faces_left\""));
+    EXPECT_THAT(rows, testing::Not(testing::HasSubstr("1000")));
 }
 
 }  // namespace hw::test

@@ -6,10 +6,12 @@
 #include <chrono>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/limits.hpp"
+#include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/geometry/silhouettes/silhouettes.hpp"
@@ -31,6 +33,7 @@ constexpr int kRounds = 3;
 constexpr int kTrials = 1000;  // random views among which the worst are looked for
 constexpr std::size_t kWorst = 5;
 constexpr float kNoCreases = 3.2f;
+constexpr double kLeastFaces = 0.9;  // of the model: where float positions collapse to less, nothing is measured
 
 struct SilhouetteMeasureArguments {
     std::vector<std::filesystem::path> files;
@@ -77,6 +80,7 @@ struct Row {
     double scale = 1.0;
     std::vector<double> ms;
     std::uint64_t faces = 0;
+    double faces_left = 1.0;  ///< Share of the model's faces before it was moved and scaled.
     std::uint64_t edges = 0;
     SilhouetteErrors errors;
     SilhouetteCounters counters;
@@ -149,13 +153,24 @@ Surface in_model_order(const Surface& surface)
     return plain;
 }
 
-Subject subject_of(MeshData mesh, double offset, double scale, const SilhouetteMeasureArguments& arguments)
+constexpr SurfaceOptions kWithoutClusters{.cluster_from_faces = std::numeric_limits<std::uint32_t>::max()};
+
+/// Null where less than kLeastFaces of `whole_faces` is left: such a mesh is another one, and an empty one cannot be
+/// wrong.
+std::optional<Subject> subject_of(MeshData mesh, double offset, double scale, std::size_t whole_faces,
+                                  const SilhouetteMeasureArguments& arguments)
 {
     for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) * scale + offset);
     Subject subject;
     const auto start = std::chrono::steady_clock::now();
-    subject.surface = build_surface(mesh, {.cluster_from_faces = std::numeric_limits<std::uint32_t>::max()});
+    subject.surface = build_surface(mesh, kWithoutClusters);
     subject.preprocess_s = seconds_since(start);
+    if (subject.surface.faces.empty() ||
+        static_cast<double>(subject.surface.faces.size()) < kLeastFaces * static_cast<double>(whole_faces)) {
+        log_warning(fmt::format("moved by {:g} and scaled by {:g}, {} of {} faces are left: not measured", offset,
+                                scale, subject.surface.faces.size(), whole_faces));
+        return std::nullopt;
+    }
     const auto cluster_start = std::chrono::steady_clock::now();
     subject.surface.clusters.prepare(subject.surface);
     subject.cluster_s = seconds_since(cluster_start);
@@ -261,6 +276,7 @@ JsonValue row_json(const Row& row)
     JsonValue json = JsonValue::object();
     json.set("model", row.model).set("method", row.variant.method_name).set("precision", row.variant.precision_name);
     json.set("offset", row.offset).set("scale", row.scale).set("faces", row.faces);
+    json.set("faces_left", row.faces_left);
     json.set("ms_median", median).set("ms_p95", quantile(row.ms, 0.95));
     json.set("ns_per_edge", 1e6 * median / static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
     json.set("fp", std::uint64_t{row.errors.false_positives}).set("fn", std::uint64_t{row.errors.false_negatives});
@@ -316,24 +332,31 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 {
     require_outputs({{"--json", arguments.json}}, arguments.files);
     JsonValue rows = JsonValue::array();
+    bool is_empty = true;
     const std::vector<NamedMesh> meshes = meshes_of(arguments);
     Progress progress("Measuring silhouettes", meshes.size() * arguments.offsets.size() * arguments.scales.size());
     print_line(fmt::format("{:<24} {:<10} {:<6} {:>8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>5} {:>9}", "model", "method",
                            "number", "offset", "scale", "median ms", "p95 ms", "false+", "false-", "odd", "doubles"));
     for (const NamedMesh& named : meshes) {
+        const std::size_t whole_faces = build_surface(named.mesh, kWithoutClusters).faces.size();
         for (const double offset : arguments.offsets) {
             for (const double scale : arguments.scales) {
-                const Subject subject = subject_of(named.mesh, offset, scale, arguments);
+                progress.advance();
+                const std::optional<Subject> subject = subject_of(named.mesh, offset, scale, whole_faces, arguments);
+                if (!subject) continue;
                 for (const Variant& variant : kVariants) {
                     Row row{.model = named.name, .variant = variant, .offset = offset, .scale = scale};
-                    measure_subject(subject, row);
+                    measure_subject(*subject, row);
+                    row.faces_left = static_cast<double>(row.faces) / static_cast<double>(whole_faces);
                     rows.push(row_json(row));
+                    is_empty = false;
                     print_lines(row_text(row));
                 }
-                progress.advance();
             }
         }
     }
+    if (is_empty)
+        throw Error({.what = "no model keeps its faces there", .expected = "a smaller --offset or a larger --scale"});
     if (!arguments.json.empty()) write_json(arguments.json, JsonValue::object().set("rows", std::move(rows)));
 }
 

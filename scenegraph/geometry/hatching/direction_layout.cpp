@@ -1,5 +1,5 @@
 // Strokes are the lines on which v is constant, so what counts is that u's gradient points along the field; how fast u
-// rises matters little, since the spacing of strokes is reckoned on the screen. Errors across the field therefore weigh
+// rises matters little, since the spacing of strokes is computed on the screen. Errors across the field therefore weigh
 // more than errors along it.
 #include "hatchway/geometry/hatching/direction_layout.hpp"
 
