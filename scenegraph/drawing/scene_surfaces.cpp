@@ -1,5 +1,12 @@
 #include "hatchway/drawing/scene_surfaces.hpp"
 
+#include <tbb/parallel_for.h>
+
+#include <set>
+#include <vector>
+
+#include "hatchway/core/progress.hpp"
+
 namespace hw {
 
 bool SceneSurfaces::is_culled(ObjectId object) const
@@ -12,14 +19,40 @@ SceneSurfaces::Key SceneSurfaces::key_of(ObjectId object) const
     return {scene_.objects[object].mesh, material(object).alpha_mode == AlphaMode::opaque && is_culled(object)};
 }
 
+Surface SceneSurfaces::made(const Key& key) const
+{
+    SurfaceOptions options = options_;
+    options.is_solid = key.is_solid;
+    return build_surface(scene_.meshes[key.mesh], options);
+}
+
 const Surface& SceneSurfaces::of(ObjectId object)
 {
     const Key key = key_of(object);
     const auto found = surfaces_.find(key);
-    if (found != surfaces_.end()) return found->second;
-    SurfaceOptions options = options_;
-    options.is_solid = key.is_solid;
-    return surfaces_[key] = build_surface(scene_.meshes[key.mesh], options);
+    return found != surfaces_.end() ? found->second : surfaces_[key] = made(key);
+}
+
+void SceneSurfaces::build(std::span<const ObjectId> objects)
+{
+    std::set<Key> missing;
+    for (const ObjectId object : objects)
+        if (find(object) == nullptr) missing.insert(key_of(object));
+    if (missing.empty()) return;
+    const std::vector<Key> keys(missing.begin(), missing.end());
+    std::vector<Surface> made_for(keys.size());
+    Progress progress("Finding edges", keys.size());
+    tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+        made_for[i] = made(keys[i]);
+        progress.advance();
+    });
+    for (std::size_t i = 0; i < keys.size(); ++i) surfaces_[keys[i]] = std::move(made_for[i]);
+}
+
+const Surface* SceneSurfaces::find(ObjectId object) const
+{
+    const auto found = surfaces_.find(key_of(object));
+    return found != surfaces_.end() ? &found->second : nullptr;
 }
 
 }  // namespace hw

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 
 #include "hatchway/geometry/surface/surface.hpp"
 #include "hatchway/world/scene.hpp"
@@ -23,12 +24,17 @@ class SceneSurfaces {
     Key key_of(ObjectId object) const;
     /// Stays where it is as long as this lives.
     const Surface& of(ObjectId object);
+    /// Makes what of() would, on all threads and with a progress bar.
+    void build(std::span<const ObjectId> objects);
+    /// Null where neither was called for its mesh.
+    const Surface* find(ObjectId object) const;
     /// Faces of the object that look away from the eye are not drawn.
     bool is_culled(ObjectId object) const;
 
     const std::map<Key, Surface>& all() const { return surfaces_; }
 
  private:
+    Surface made(const Key& key) const;
     const Material& material(ObjectId object) const { return scene_.materials[scene_.objects[object].material]; }
 
     const Scene& scene_;

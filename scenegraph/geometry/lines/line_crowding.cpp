@@ -33,34 +33,45 @@ struct Sample {
     float length;
 };
 
-/// Where a place lies among nodes.
-struct Nodes {
-    glm::ivec3 middle;
-    std::array<std::array<float, 3>, 3> weights;  ///< By axis.
-
-    Nodes(const glm::vec3& place, float cell)
-    {
-        const glm::vec3 at = place / cell;
-        const glm::vec3 rounded = glm::floor(at + 0.5f);
-        middle = glm::ivec3(rounded);
-        for (int axis = 0; axis < 3; ++axis) weights[axis] = spline(at[axis] - rounded[axis]);
-    }
-    template <typename Use>
-    void for_each(Use&& use) const
-    {
-        for (int x = 0; x < 3; ++x)
-            for (int y = 0; y < 3; ++y)
-                for (int z = 0; z < 3; ++z)
-                    use(middle + glm::ivec3(x - 1, y - 1, z - 1), weights[0][x] * weights[1][y] * weights[2][z]);
-    }
-};
-
 /// Cells of an object are within +-2^10 of its middle at every scale; 0 is no cell.
 std::uint64_t key_of(const glm::ivec3& cell)
 {
     const auto part = [](int x) { return static_cast<std::uint64_t>(x + (1 << 20)) & 0x1fffff; };
     return part(cell.x) << 42 | part(cell.y) << 21 | part(cell.z);
 }
+
+/// The 27 nodes around a place.
+struct Nodes {
+    glm::ivec3 low;
+    std::array<std::array<float, 3>, 3> weights;  ///< By axis.
+
+    Nodes(const glm::vec3& place, float cell)
+    {
+        const glm::vec3 at = place / cell;
+        const glm::vec3 rounded = glm::floor(at + 0.5f);
+        low = glm::ivec3(rounded) - 1;
+        for (int axis = 0; axis < 3; ++axis) weights[axis] = spline(at[axis] - rounded[axis]);
+    }
+
+    /// `brick_at` turns a key into a brick, which stays where it is until this returns; `use` gets node and weight.
+    template <typename BrickAt, typename Use>
+    void for_each(BrickAt&& brick_at, Use&& use) const
+    {
+        const glm::ivec3 first = low >> 2, last = (low + 2) >> 2;
+        std::array<decltype(brick_at(0)), 8> bricks{};
+        for (int x = first.x; x <= last.x; ++x)
+            for (int y = first.y; y <= last.y; ++y)
+                for (int z = first.z; z <= last.z; ++z)
+                    bricks[(x - first.x) * 4 + (y - first.y) * 2 + z - first.z] = brick_at(key_of({x, y, z}));
+        for (int x = 0; x < 3; ++x)
+            for (int y = 0; y < 3; ++y)
+                for (int z = 0; z < 3; ++z) {
+                    const glm::ivec3 node = low + glm::ivec3(x, y, z), brick = (node >> 2) - first, in = node & 3;
+                    use((*bricks[brick.x * 4 + brick.y * 2 + brick.z])[in.x * 16 + in.y * 4 + in.z],
+                        weights[0][x] * weights[1][y] * weights[2][z]);
+                }
+    }
+};
 
 /// Cuts lines into samples no longer than `step`.
 std::vector<Sample> sampled(std::span<const CrowdingLine> lines, const glm::vec3& origin, float step)
@@ -139,47 +150,55 @@ std::vector<CrowdingLine> crowding_lines(const Surface& surface, float crease_ra
 LineCrowding::Lengths::Lengths(float cell, std::size_t sample_count) : cell_(cell)
 {
     std::size_t size = 64;
-    while (size < 8 * sample_count) size *= 2;
-    nodes_.resize(size);
+    while (size < sample_count) size *= 2;
+    slots_.resize(size);
 }
 
-LineCrowding::Lengths::Node& LineCrowding::Lengths::node(std::uint64_t key)
+std::size_t LineCrowding::Lengths::slot_of(std::uint64_t key) const
 {
-    std::size_t at = (key * 0x9e3779b97f4a7c15ull) >> 20 & (nodes_.size() - 1);
-    while (nodes_[at].key != key && nodes_[at].key != 0) at = (at + 1) & (nodes_.size() - 1);
-    return nodes_[at];
+    std::size_t at = (key * 0x9e3779b97f4a7c15ull) >> 20 & (slots_.size() - 1);
+    while (slots_[at].key != key && slots_[at].key != 0) at = (at + 1) & (slots_.size() - 1);
+    return at;
 }
 
-float LineCrowding::Lengths::length(std::uint64_t key) const
+LineCrowding::Lengths::Brick& LineCrowding::Lengths::made(std::uint64_t key)
 {
-    return const_cast<Lengths*>(this)->node(key).length;
+    Slot& slot = slots_[slot_of(key)];
+    if (slot.key == 0) {
+        slot = {key, static_cast<std::uint32_t>(bricks_.size())};
+        bricks_.emplace_back();
+    }
+    return bricks_[slot.brick];
 }
 
 void LineCrowding::Lengths::grow()
 {
-    std::vector<Node> old(2 * nodes_.size());
-    old.swap(nodes_);
-    for (const Node& n : old)
-        if (n.key != 0) node(n.key) = n;
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    for (const Slot& slot : old)
+        if (slot.key != 0) slots_[slot_of(slot.key)] = slot;
 }
 
 void LineCrowding::Lengths::add(const glm::vec3& place, float length)
 {
-    Nodes(place, cell_).for_each([&](const glm::ivec3& cell, float weight) {
-        const std::uint64_t key = key_of(cell);
-        Node& at = node(key);
-        used_ += at.key == 0;
-        at.key = key;
-        at.length += weight * length;
-    });
-    if (2 * used_ > nodes_.size()) grow();
+    constexpr std::size_t kMostBricks = 8;
+    if (2 * (bricks_.size() + kMostBricks) > slots_.size()) grow();
+    if (bricks_.capacity() - bricks_.size() < kMostBricks) bricks_.reserve(2 * bricks_.size() + 64);
+    Nodes(place, cell_)
+        .for_each([&](std::uint64_t key) { return &made(key); },
+                  [&](float& node, float weight) { node += weight * length; });
 }
 
 float LineCrowding::Lengths::lines_at(const glm::vec3& place) const
 {
+    static constexpr Brick kNothing{};
+    const auto brick_at = [&](std::uint64_t key) {
+        const Slot& slot = slots_[slot_of(key)];
+        return slot.key == 0 ? &kNothing : &bricks_[slot.brick];
+    };
     const Nodes nodes(place, cell_);
     float sum = 0.0f, own = 1.0f;
-    nodes.for_each([&](const glm::ivec3& cell, float weight) { sum += weight * length(key_of(cell)); });
+    nodes.for_each(brick_at, [&](float node, float weight) { sum += weight * node; });
     // What a line through the place adds: its length in a window, as much of it as is collected across it.
     for (const auto& w : nodes.weights) own *= w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     return sum / (cell_ * std::cbrt(own * own));

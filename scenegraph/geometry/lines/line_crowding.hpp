@@ -48,7 +48,8 @@ class LineCrowding {
     std::vector<glm::vec4> at(std::span<const glm::vec3> places) const;
 
  private:
-    /// A grid in which lengths lie on the nodes around them: a hash table of cells.
+    /// A grid in which lengths lie on the nodes around them: bricks of 4 x 4 x 4 nodes in a hash table, so that the 27
+    /// nodes around a place lie in few of them.
     class Lengths {
      public:
         explicit Lengths(float cell, std::size_t sample_count);
@@ -57,17 +58,19 @@ class LineCrowding {
         float lines_at(const glm::vec3& place) const;
 
      private:
-        struct Node {
+        using Brick = std::array<float, 64>;
+        struct Slot {
             std::uint64_t key = 0;
-            float length = 0.0f;
+            std::uint32_t brick = 0;
         };
-        Node& node(std::uint64_t key);
-        float length(std::uint64_t key) const;
+        /// The slot of a brick, or the empty one where it would be.
+        std::size_t slot_of(std::uint64_t key) const;
+        Brick& made(std::uint64_t key);
         void grow();
 
         float cell_;
-        std::size_t used_ = 0;
-        std::vector<Node> nodes_;
+        std::vector<Slot> slots_;
+        std::vector<Brick> bricks_;
     };
 
     float window_ = 1.0f;

@@ -1,10 +1,18 @@
 #include "hatchway/render/lines/edge_store.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <set>
 
 #include "hatchway/core/progress.hpp"
 
 namespace hw {
+namespace {
+
+constexpr std::size_t kJobsTogether = 64;  // their vertices are in memory twice until they are on the device
+
+}  // namespace
 
 EdgeStore::EdgeStore(const Scene& scene, LineIndices& indices)
     : scene_(scene), indices_(indices), surfaces_(scene), objects_(scene.objects.size())
@@ -13,46 +21,82 @@ EdgeStore::EdgeStore(const Scene& scene, LineIndices& indices)
 
 void EdgeStore::prepare(std::span<const EdgeDemand> demands)
 {
+    std::vector<ObjectId> wanted;
+    for (ObjectId object = 0; object < demands.size(); ++object)
+        if (demands[object].is_any()) wanted.push_back(object);
     std::vector<ObjectMeshes> objects(scene_.objects.size());
-    const auto wanted = static_cast<std::uint64_t>(
-        std::count_if(demands.begin(), demands.end(), [](const EdgeDemand& demand) { return demand.is_any(); }));
-    if (wanted > 0) {
-        Progress progress("Finding edges", wanted);
-        for (ObjectId object = 0; object < demands.size(); ++object) {
-            if (!demands[object].is_any()) continue;
-            surfaces_.of(object);
-            progress.advance();
-        }
+    if (!wanted.empty()) {
+        surfaces_.build(wanted);
         const LineExtras extras = find_line_extras(scene_, demands, surfaces_);
-        for (ObjectId object = 0; object < demands.size(); ++object)
-            if (demands[object].is_any()) objects[object] = meshes_of(object, demands[object], extras.objects[object]);
+        std::vector<Job> jobs = jobs_of(demands, extras);
+        run(jobs);
+        objects = meshes_of(demands, extras, jobs);
     }
     objects_ = std::move(objects);
 }
 
-EdgeStore::ObjectMeshes EdgeStore::meshes_of(ObjectId object, const EdgeDemand& demand, const ObjectExtras& extras)
+EdgeStore::Key EdgeStore::key_of(ObjectId object, float crease_rad) const
 {
-    ObjectMeshes meshes{.surface = &surfaces_.of(object), .lines = {}, .own = {}};
-    for (const float crease_rad : demand.crease_rad) {
-        const ObjectEdges edges{*meshes.surface, crease_rad, extras, surfaces_.is_culled(object)};
-        if (extras.is_empty()) {
-            meshes.lines.emplace_back(crease_rad, shared_mesh(object, edges));
-            continue;
-        }
-        meshes.own.push_back(std::make_unique<LineMesh>(build_line_mesh(edges, indices_)));
-        meshes.lines.emplace_back(crease_rad, meshes.own.back().get());
-        ++line_meshes_built_;
-    }
-    return meshes;
+    return {surfaces_.key_of(object), surfaces_.is_culled(object), crease_rad};
 }
 
-const LineMesh* EdgeStore::shared_mesh(ObjectId object, const ObjectEdges& edges)
+std::vector<EdgeStore::Job> EdgeStore::jobs_of(std::span<const EdgeDemand> demands, const LineExtras& extras) const
 {
-    const Key key{surfaces_.key_of(object), edges.is_culled, edges.crease_rad};
-    const auto found = shared_lines_.find(key);
-    if (found != shared_lines_.end()) return &found->second;
-    ++line_meshes_built_;
-    return &(shared_lines_[key] = build_line_mesh(edges, indices_));
+    std::vector<Job> jobs;
+    std::set<Key> planned;
+    for (ObjectId object = 0; object < demands.size(); ++object) {
+        for (const float crease_rad : demands[object].crease_rad) {
+            const ObjectExtras& own = extras.objects[object];
+            const Key key = key_of(object, crease_rad);
+            if (own.is_empty() && (shared_lines_.contains(key) || !planned.insert(key).second)) continue;
+            jobs.push_back({.object = object, .crease_rad = crease_rad, .extras = own, .mesh = nullptr});
+        }
+    }
+    return jobs;
+}
+
+void EdgeStore::run(std::span<Job> jobs)
+{
+    if (jobs.empty()) return;
+    Progress progress("Preparing lines", jobs.size());
+    for (std::size_t first = 0; first < jobs.size(); first += kJobsTogether) {
+        const std::span<Job> together = jobs.subspan(first, std::min(kJobsTogether, jobs.size() - first));
+        std::vector<LineMeshData> data(together.size());
+        tbb::parallel_for(std::size_t{0}, together.size(), [&](std::size_t i) {
+            const Job& job = together[i];
+            data[i] = line_mesh_data(
+                {*surfaces_.find(job.object), job.crease_rad, job.extras, surfaces_.is_culled(job.object)});
+            progress.advance();
+        });
+        for (std::size_t i = 0; i < together.size(); ++i) {
+            together[i].mesh = std::make_unique<LineMesh>(upload(std::move(data[i]), indices_));
+            ++line_meshes_built_;
+        }
+    }
+}
+
+std::vector<EdgeStore::ObjectMeshes> EdgeStore::meshes_of(std::span<const EdgeDemand> demands, const LineExtras& extras,
+                                                          std::span<Job> done)
+{
+    std::vector<ObjectMeshes> objects(scene_.objects.size());
+    for (Job& job : done) {
+        if (job.extras.is_empty())
+            shared_lines_[key_of(job.object, job.crease_rad)] = std::move(job.mesh);
+        else
+            objects[job.object].own.push_back(std::move(job.mesh));
+    }
+    for (ObjectId object = 0; object < demands.size(); ++object) {
+        if (!demands[object].is_any()) continue;
+        ObjectMeshes& meshes = objects[object];
+        meshes.surface = surfaces_.find(object);
+        auto own = meshes.own.begin();
+        for (const float crease_rad : demands[object].crease_rad) {
+            const bool is_shared = extras.objects[object].is_empty();
+            meshes.lines.emplace_back(crease_rad,
+                                      is_shared ? shared_lines_.at(key_of(object, crease_rad)).get() : (own++)->get());
+        }
+    }
+    return objects;
 }
 
 const LineMesh* EdgeStore::lines(ObjectId object, float crease_rad) const

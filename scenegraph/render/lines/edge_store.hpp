@@ -43,13 +43,24 @@ class EdgeStore {
         std::vector<std::unique_ptr<LineMesh>> own;            ///< Of an object with seams or intersections.
     };
 
-    ObjectMeshes meshes_of(ObjectId object, const EdgeDemand& demand, const ObjectExtras& extras);
-    const LineMesh* shared_mesh(ObjectId object, const ObjectEdges& edges);
+    /// A line mesh that is not there yet.
+    struct Job {
+        ObjectId object = 0;
+        float crease_rad = 0.0f;
+        const ObjectExtras& extras;
+        std::unique_ptr<LineMesh> mesh;
+    };
+
+    Key key_of(ObjectId object, float crease_rad) const;
+    std::vector<Job> jobs_of(std::span<const EdgeDemand> demands, const LineExtras& extras) const;
+    void run(std::span<Job> jobs);
+    std::vector<ObjectMeshes> meshes_of(std::span<const EdgeDemand> demands, const LineExtras& extras,
+                                        std::span<Job> done);
 
     const Scene& scene_;
     LineIndices& indices_;
     SceneSurfaces surfaces_;
-    std::map<Key, LineMesh> shared_lines_;
+    std::map<Key, std::unique_ptr<LineMesh>> shared_lines_;
     std::vector<ObjectMeshes> objects_;
     int line_meshes_built_ = 0;
 };

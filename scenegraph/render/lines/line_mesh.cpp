@@ -71,16 +71,15 @@ void append_line(std::vector<LineVertex>& vertices, const ObjectLine& line)
     vertices.insert(vertices.end(), {corner, corner});
 }
 
-LineMesh build_line_mesh(const ObjectEdges& edges, LineIndices& indices)
+LineMeshData line_mesh_data(const ObjectEdges& edges)
 {
     const LineCrowding crowding = crowding_of(edges);
     const ObjectLines lines = object_lines(edges, &crowding);
-    LineMesh mesh;
-    std::vector<LineVertex> vertices;
-    vertices.reserve(4 * lines.lines.size());
+    LineMeshData mesh;
+    mesh.vertices.reserve(4 * lines.lines.size());
     for (const ObjectLine& line : lines.lines) {
-        const auto number = static_cast<std::uint32_t>(vertices.size() / 4);
-        append_line(vertices, line);
+        const auto number = static_cast<std::uint32_t>(mesh.vertices.size() / 4);
+        append_line(mesh.vertices, line);
         if (mesh.runs.empty() || mesh.runs.back().line_class != line.line_class)
             mesh.runs.push_back({line.line_class, number, 0});
         ++mesh.runs.back().count;
@@ -88,9 +87,17 @@ LineMesh build_line_mesh(const ObjectEdges& edges, LineIndices& indices)
     mesh.crowding_window = crowding.window();
     if (classes_at(edges.surface, edges.crease_rad).candidate_count() > 0)
         mesh.crowding = crowding.at(edges.surface.positions);
-    indices.reserve(static_cast<std::uint32_t>(lines.lines.size()));
-    mesh.buffer = make_line_buffer(indices);
-    mesh.buffer.vertices.stream(std::as_bytes(std::span(vertices)));
+    return mesh;
+}
+
+LineMesh upload(LineMeshData data, LineIndices& indices)
+{
+    indices.reserve(static_cast<std::uint32_t>(data.vertices.size() / 4));
+    LineMesh mesh{.buffer = make_line_buffer(indices),
+                  .runs = std::move(data.runs),
+                  .crowding_window = data.crowding_window,
+                  .crowding = std::move(data.crowding)};
+    mesh.buffer.vertices.stream(std::as_bytes(std::span(data.vertices)));
     return mesh;
 }
 

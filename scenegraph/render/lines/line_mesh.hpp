@@ -63,6 +63,17 @@ struct LineMesh {
     std::vector<glm::vec4> crowding;  ///< LineCrowding at each position of the surface, when silhouettes may need it.
 };
 
-LineMesh build_line_mesh(const ObjectEdges& edges, LineIndices& indices);
+/// A LineMesh that is not on the device yet.
+struct LineMeshData {
+    std::vector<LineVertex> vertices;
+    std::vector<LineMesh::Run> runs;
+    float crowding_window = 1.0f;
+    std::vector<glm::vec4> crowding;
+};
+
+/// Touches no device: for any thread.
+LineMeshData line_mesh_data(const ObjectEdges& edges);
+
+LineMesh upload(LineMeshData data, LineIndices& indices);
 
 }  // namespace hw
