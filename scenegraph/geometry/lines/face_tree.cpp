@@ -1,12 +1,14 @@
 #include "hatchway/geometry/lines/face_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace hw {
 namespace {
 
 constexpr std::uint32_t kLeaf = 8;
+constexpr std::size_t kMostOpen = 64;  // the tree halves 2^32 boxes at most 29 times
 
 }  // namespace
 
@@ -36,16 +38,16 @@ void FaceTree::build(std::uint32_t begin, std::uint32_t end)
 
 void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found) const
 {
-    std::vector<std::uint32_t> open;
-    if (!nodes_.empty()) open.push_back(0);
-    while (!open.empty()) {
-        const std::uint32_t at = open.back();
-        open.pop_back();
+    std::array<std::uint32_t, kMostOpen> open;
+    std::size_t count = 0;
+    if (!nodes_.empty()) open[count++] = 0;
+    while (count > 0) {
+        const std::uint32_t at = open[--count];
         const Node& node = nodes_[at];
         if (!node.box.overlaps(box)) continue;
         if (node.second != 0) {
-            open.push_back(at + 1);
-            open.push_back(node.second);
+            open[count++] = at + 1;
+            open[count++] = node.second;
             continue;
         }
         for (std::uint32_t i = node.begin; i < node.end; ++i)

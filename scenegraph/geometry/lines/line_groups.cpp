@@ -2,9 +2,14 @@
 // and every end asks its neighbourhood for the segments that it lies on.
 #include "hatchway/geometry/lines/line_groups.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <unordered_map>
 
 namespace hw {
@@ -12,6 +17,7 @@ namespace {
 
 constexpr double kDriftPerLength = 1e-6;  // lines of rounded ends turn a little
 constexpr std::uint32_t kMostSamples = 4096;
+constexpr std::size_t kMostPairs = 65536;  // kept before they are joined
 
 double length_of(const Segment& segment)
 {
@@ -51,17 +57,16 @@ class LineGroups {
     std::vector<std::vector<std::uint32_t>> run()
     {
         strew();
-        for (std::uint32_t i = 0; i < segments_.size(); ++i) {
-            if (!is_used(i)) continue;
-            join_at(i, segments_[i].from);
-            join_at(i, segments_[i].to);
-        }
+        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(segments_.size())),
+                          [&](const auto& range) { join_all(range.begin(), range.end()); });
+        std::vector<std::uint32_t> count(segments_.size(), 0);
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) ++count[find(i)];
         std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_root;
-        for (std::uint32_t i = 0; i < segments_.size(); ++i) by_root[find(i)].push_back(i);
+        for (std::uint32_t i = 0; i < segments_.size(); ++i)
+            if (count[find(i)] > 1) by_root[find(i)].push_back(i);
         std::vector<std::vector<std::uint32_t>> groups;
-        for (std::uint32_t i = 0; i < segments_.size(); ++i) {
-            if (find(i) == i && by_root[i].size() > 1) split_into_lines(std::move(by_root[i]), groups);
-        }
+        for (std::uint32_t i = 0; i < segments_.size(); ++i)
+            if (find(i) == i && count[i] > 1) split_into_lines(std::move(by_root[i]), groups);
         return groups;
     }
 
@@ -100,19 +105,39 @@ class LineGroups {
         for (std::uint32_t i = 0; i < entries_.size(); ++i) first_.try_emplace(entries_[i].cell, i);
     }
 
+    using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+    /// The groups are the same in whatever order pairs are joined.
+    void join_all(std::uint32_t begin, std::uint32_t end)
+    {
+        Pairs pairs;
+        const auto join_found = [&] {
+            const std::lock_guard lock(joining_);
+            for (const auto& [a, b] : pairs) join(a, b);
+            pairs.clear();
+        };
+        for (std::uint32_t i = begin; i < end; ++i) {
+            if (!is_used(i)) continue;
+            find_at(i, segments_[i].from, pairs);
+            find_at(i, segments_[i].to, pairs);
+            if (pairs.size() > kMostPairs) join_found();
+        }
+        join_found();
+    }
+
     /// Samples are half a cell apart, so that a point of a segment is within a quarter of a cell of one of them.
-    void join_at(std::uint32_t index, const glm::dvec3& end)
+    void find_at(std::uint32_t index, const glm::dvec3& end, Pairs& pairs) const
     {
         const double reach = 0.25 * cell_ + tolerance_;
         const glm::dvec3 low = glm::floor((end - reach) / cell_), high = glm::floor((end + reach) / cell_);
         for (double x = low.x; x <= high.x; ++x) {
             for (double y = low.y; y <= high.y; ++y) {
-                for (double z = low.z; z <= high.z; ++z) join_in_cell(index, end, cell_key({x, y, z}));
+                for (double z = low.z; z <= high.z; ++z) find_in_cell(index, end, cell_key({x, y, z}), pairs);
             }
         }
     }
 
-    void join_in_cell(std::uint32_t index, const glm::dvec3& end, std::uint64_t cell)
+    void find_in_cell(std::uint32_t index, const glm::dvec3& end, std::uint64_t cell, Pairs& pairs) const
     {
         const auto found = first_.find(cell);
         if (found == first_.end()) return;
@@ -122,9 +147,8 @@ class LineGroups {
             if (entries_[i].segment == index || other.key != segment.key) continue;
             if (distance_to(end, other) > tolerance_) continue;
             const bool is_longer = length_of(segment) > length_of(other);
-            if (is_longer ? is_on_line(other, segment, tolerance_) : is_on_line(segment, other, tolerance_)) {
-                join(index, entries_[i].segment);
-            }
+            if (is_longer ? is_on_line(other, segment, tolerance_) : is_on_line(segment, other, tolerance_))
+                pairs.push_back({index, entries_[i].segment});
         }
     }
 
@@ -163,6 +187,7 @@ class LineGroups {
     std::vector<std::uint32_t> root_;
     std::vector<Entry> entries_;
     std::unordered_map<std::uint64_t, std::uint32_t> first_;
+    std::mutex joining_;  // guards root_
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 namespace hw {
 namespace {
 
-constexpr std::uint64_t kMostLookedAt = 100'000'000;  // triangles; past that all lines stay
 constexpr double kBeyond = 4.0;  // in tolerances: how far beyond the line the surface is looked for
 
 /// The part of the way a..b, in [0, 1], that is inside of a triangle in one plane with it.
@@ -80,7 +79,8 @@ std::vector<Box> Overlaps::boxes_of(const std::vector<Triangle>& triangles)
 
 /// Where the surface of `style` lies along a..b in a plane that looks to `normal`; without the faces of the line
 /// itself.
-std::vector<Interval> Overlaps::covered(const Way& way, const glm::dvec3& shift, const glm::dvec3& normal)
+std::vector<Interval> Overlaps::covered(const Way& way, const glm::dvec3& shift, const glm::dvec3& normal,
+                                        std::uint64_t& looked_at) const
 {
     const double tolerance = options_.tolerance_m;
     const glm::dvec3 a = way.from + shift, b = way.to + shift;
@@ -89,12 +89,11 @@ std::vector<Interval> Overlaps::covered(const Way& way, const glm::dvec3& shift,
         box.add(end - glm::dvec3(tolerance));
         box.add(end + glm::dvec3(tolerance));
     }
-    found_.clear();
-    if (looked_at_ > kMostLookedAt) return {};
-    tree_.find(box, found_);
-    looked_at_ += found_.size();
+    std::vector<std::uint32_t> found;
+    tree_.find(box, found);
+    looked_at += found.size();
     std::vector<Interval> parts;
-    for (const std::uint32_t id : found_) {
+    for (const std::uint32_t id : found) {
         const Triangle& triangle = triangles_[id];
         const double facing = glm::dot(triangle.normal, normal);
         // The back of a sheet goes on the front of another only where neither is part of a solid.
@@ -113,11 +112,12 @@ std::vector<Interval> Overlaps::covered(const Way& way, const glm::dvec3& shift,
     return united(std::move(parts));
 }
 
-void Overlaps::find(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t style,
-                    std::span<const FaceAtSegment> faces, std::vector<Interval>& parts)
+std::uint64_t Overlaps::find(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t style,
+                             std::span<const FaceAtSegment> faces, std::vector<Interval>& parts) const
 {
     const double tolerance = options_.tolerance_m, length = glm::distance(from, to);
-    if (length <= kBeyond * tolerance) return;
+    std::uint64_t looked_at = 0;
+    if (length <= kBeyond * tolerance) return looked_at;
     const glm::dvec3 along = (to - from) / length;
     for (const FaceAtSegment& face : faces) {
         const bool is_outermost = std::all_of(faces.begin(), faces.end(), [&](const FaceAtSegment& other) {
@@ -127,14 +127,15 @@ void Overlaps::find(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t 
         glm::dvec3 inward = face.apex - from;
         inward = kBeyond * tolerance * glm::normalize(inward - glm::dot(inward, along) * along);
         const Way way{from, to, style, faces.size()};
-        const std::vector<Interval> beyond = covered(way, -inward, face.normal);
+        const std::vector<Interval> beyond = covered(way, -inward, face.normal, looked_at);
         if (beyond.empty()) continue;
         for (const Interval& outer : beyond)
-            for (const Interval& inner : covered(way, inward, face.normal)) {
+            for (const Interval& inner : covered(way, inward, face.normal, looked_at)) {
                 const Interval both{std::max(outer.from, inner.from), std::min(outer.to, inner.to)};
                 if (both.from < both.to) parts.push_back({both.from * length, both.to * length});
             }
     }
+    return looked_at;
 }
 
 }  // namespace hw

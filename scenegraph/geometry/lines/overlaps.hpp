@@ -28,9 +28,9 @@ class Overlaps {
     Overlaps(std::span<const SeamObject> objects, const SeamOptions& options);
 
     /// Appends the parts of the segment that such a face covers, while all faces at the line lie in its plane or
-    /// behind.
-    void find(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t style, std::span<const FaceAtSegment> faces,
-              std::vector<Interval>& parts);
+    /// behind. How many triangles it looked at. Thread safe.
+    std::uint64_t find(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t style,
+                       std::span<const FaceAtSegment> faces, std::vector<Interval>& parts) const;
 
  private:
     struct Triangle {
@@ -45,15 +45,14 @@ class Overlaps {
         std::uint32_t style;
         std::size_t face_count;
     };
-    std::vector<Interval> covered(const Way& way, const glm::dvec3& shift, const glm::dvec3& normal);
+    std::vector<Interval> covered(const Way& way, const glm::dvec3& shift, const glm::dvec3& normal,
+                                  std::uint64_t& looked_at) const;
     static std::vector<Triangle> triangles_of(std::span<const SeamObject> objects);
     static std::vector<Box> boxes_of(const std::vector<Triangle>& triangles);
 
     SeamOptions options_;
     std::vector<Triangle> triangles_;
     FaceTree tree_;
-    std::vector<std::uint32_t> found_;
-    std::uint64_t looked_at_ = 0;  ///< Triangles, of all lines so far.
 };
 
 }  // namespace hw

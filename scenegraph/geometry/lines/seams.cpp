@@ -2,8 +2,12 @@
 // there are looked at together: the piece is a seam when the visible surface goes straight on across it.
 #include "hatchway/geometry/lines/seams.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -16,7 +20,9 @@
 namespace hw {
 namespace {
 
-constexpr std::uint64_t kMostLookedAt = 20'000'000;  // lines in pieces; past that none is a seam
+constexpr std::uint64_t kMostLookedAt = 20'000'000;    // lines in pieces; past that none is a seam
+constexpr std::uint64_t kMostTriangles = 100'000'000;  // looked at for overlaps; past that all lines stay
+constexpr std::size_t kLinesTogether = 1024;           // between two looks at that
 
 /// One face at one line of a surface, object space.
 struct EdgeSide {
@@ -42,31 +48,69 @@ std::uint32_t apex_of(const Surface& surface, std::uint32_t face, const std::arr
     return apex;
 }
 
+/// Edges by their vertices.
+class EdgesByEnds {
+ public:
+    EdgesByEnds(const Surface& surface, std::span<const EdgeRange> ranges) : first_(surface.positions.size() + 1, 0)
+    {
+        for_each(surface, ranges, [&](std::uint32_t low, Entry) { ++first_[low + 1]; });
+        for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+        entries_.resize(first_.back());
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        for_each(surface, ranges, [&](std::uint32_t low, Entry entry) { entries_[next[low]++] = entry; });
+        for (std::size_t i = 0; i + 1 < first_.size(); ++i)
+            std::stable_sort(entries_.begin() + first_[i], entries_.begin() + first_[i + 1], is_before);
+    }
+
+    /// kNoFace where there is none; the last of several.
+    std::uint32_t find(std::uint32_t a, std::uint32_t b) const
+    {
+        const auto [low, high] = std::minmax(a, b);
+        const auto begin = entries_.begin() + first_[low], end = entries_.begin() + first_[low + 1];
+        const auto after = std::upper_bound(begin, end, Entry{high, 0}, is_before);
+        return after != begin && (after - 1)->high == high ? (after - 1)->edge : kNoFace;
+    }
+
+ private:
+    struct Entry {
+        std::uint32_t high;
+        std::uint32_t edge;
+    };
+    static bool is_before(const Entry& a, const Entry& b) { return a.high < b.high; }
+    template <typename Use>
+    static void for_each(const Surface& surface, std::span<const EdgeRange> ranges, Use&& use)
+    {
+        for (const EdgeRange& range : ranges) {
+            for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
+                const auto [a, b] = edge_vertices(surface, edge);
+                use(std::min(a, b), Entry{std::max(a, b), edge});
+            }
+        }
+    }
+
+    std::vector<std::uint32_t> first_;  // of the entries of each lower vertex
+    std::vector<Entry> entries_;
+};
+
 /// The faces at every line that is drawn from all viewpoints.
 std::vector<EdgeSide> sides_of_lines(const Surface& surface, float crease_rad)
 {
     const EdgeClasses classes = classes_at(surface, crease_rad);
-    std::map<std::array<std::uint32_t, 2>, std::uint32_t> edge_at;
-    const auto add = [&](EdgeRange range) {
-        for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-            const auto [a, b] = edge_vertices(surface, edge);
-            edge_at[{std::min(a, b), std::max(a, b)}] = edge;
-        }
-    };
-    add(classes.borders);
-    for (const EdgeRange range : classes.ridges) add(range);
-    for (const EdgeRange range : classes.valleys) add(range);
-    for (const EdgeRange range : classes.artist) add(range);
+    std::vector<EdgeRange> ranges{classes.borders};
+    ranges.insert(ranges.end(), classes.ridges.begin(), classes.ridges.end());
+    ranges.insert(ranges.end(), classes.valleys.begin(), classes.valleys.end());
+    ranges.insert(ranges.end(), classes.artist.begin(), classes.artist.end());
+    const EdgesByEnds edges(surface, ranges);
 
     std::vector<EdgeSide> sides;
     for (std::uint32_t face = 0; face < surface.faces.size(); ++face) {
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t from = surface.faces[face][corner], to = surface.faces[face][(corner + 1) % 3];
-            const auto found = edge_at.find({std::min(from, to), std::max(from, to)});
-            if (found == edge_at.end()) continue;
+            const std::uint32_t edge = edges.find(from, to);
+            if (edge == kNoFace) continue;
             const std::uint32_t apex = apex_of(surface, face, {from, to});
             if (apex == kNoFace) continue;
-            sides.push_back({found->second, apex, edge_vertices(surface, found->second)[0] == from});
+            sides.push_back({edge, apex, edge_vertices(surface, edge)[0] == from});
         }
     }
     std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
@@ -224,23 +268,37 @@ class SeamSearch {
     /// Pieces that lie into one another: the end of one lies on a coplanar face of the other, where no line is.
     void look_at_overlaps()
     {
-        Overlaps overlaps(objects_, options_);
-        std::vector<FaceAtSegment> faces;
-        for (std::uint32_t line = 0; line < lines_.size(); ++line) {
-            const SeamLine& l = lines_[line];
-            const Segment& segment = segments_[line];
-            const SeamObject& object = objects_[l.object];
-            const std::vector<EdgeSide>& sides = sides_.at(object.surface);
-            const bool is_mirrored = glm::determinant(glm::dmat3(object.world_from_object)) < 0.0;
-            faces.clear();
-            for (std::uint32_t i = l.first_side; i < l.first_side + l.side_count; ++i) {
-                const glm::dvec3 apex = in_world(l.object, sides[i].apex);
-                const glm::dvec3 area = glm::cross(segment.to - segment.from, apex - segment.from);
-                const double size = glm::length(area);
-                if (size > 0.0) faces.push_back({apex, (sides[i].is_forward != is_mirrored ? area : -area) / size});
-            }
-            overlaps.find(segment.from, segment.to, object.style, faces, hidden_[line]);
+        const Overlaps overlaps(objects_, options_);
+        std::uint64_t looked_at = 0;
+        for (std::size_t first = 0; first < lines_.size() && looked_at < kMostTriangles; first += kLinesTogether) {
+            const std::size_t count = std::min(kLinesTogether, lines_.size() - first);
+            looked_at += tbb::parallel_reduce(
+                tbb::blocked_range<std::size_t>(first, first + count), std::uint64_t{0},
+                [&](const auto& lines, std::uint64_t sum) {
+                    for (std::size_t line = lines.begin(); line < lines.end(); ++line)
+                        sum += look_at_overlaps_of(static_cast<std::uint32_t>(line), overlaps);
+                    return sum;
+                },
+                std::plus<>());
         }
+    }
+
+    /// How many triangles it looked at.
+    std::uint64_t look_at_overlaps_of(std::uint32_t line, const Overlaps& overlaps)
+    {
+        const SeamLine& l = lines_[line];
+        const Segment& segment = segments_[line];
+        const SeamObject& object = objects_[l.object];
+        const std::vector<EdgeSide>& sides = sides_.at(object.surface);
+        const bool is_mirrored = glm::determinant(glm::dmat3(object.world_from_object)) < 0.0;
+        std::vector<FaceAtSegment> faces;
+        for (std::uint32_t i = l.first_side; i < l.first_side + l.side_count; ++i) {
+            const glm::dvec3 apex = in_world(l.object, sides[i].apex);
+            const glm::dvec3 area = glm::cross(segment.to - segment.from, apex - segment.from);
+            const double size = glm::length(area);
+            if (size > 0.0) faces.push_back({apex, (sides[i].is_forward != is_mirrored ? area : -area) / size});
+        }
+        return overlaps.find(segment.from, segment.to, object.style, faces, hidden_[line]);
     }
 
     double length(std::uint32_t line) const { return glm::distance(segments_[line].from, segments_[line].to); }
