@@ -2,6 +2,7 @@
 // the same numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -50,9 +51,9 @@ struct ShaderInputs {
 class line_shaders : public testing::Test {
  protected:
     template <typename SetUniforms, typename Judge>
-    void compare(const char* fragment_file, SetUniforms set_uniforms, Judge judge)
+    void compare(const char* fragment_file, SetUniforms set_uniforms, Judge judge, const char* defines = "")
     {
-        const Program program = programs_.cache(kShaderFolder).full_screen(fragment_file);
+        const Program program = programs_.cache(kShaderFolder).full_screen(fragment_file, defines);
         const LinkedProgram& linked = *programs_.full_screen(program);
         GpuTarget target({.size_px = glm::ivec2(kSide), .colours = {{.format = TextureFormat::rgba32f}}});
         for (std::uint32_t seed = 1; seed <= kCalls; ++seed) {
@@ -91,6 +92,18 @@ LineLook random_look(const ShaderInputs& inputs)
     look.far.full_spacing_px = 1.0f + 12.0f * inputs.pick_for_all(25);
     return look;
 }
+
+/// A place on a stroke, as test_line_stroke.frag makes it.
+struct StrokePlace {
+    explicit StrokePlace(const ShaderInputs& inputs)
+        : px_per_unit(2.0f + 400.0f * inputs.pick(0) * inputs.pick(1)),
+          whole(0.05f + 8.0f * inputs.pick(2)),
+          arc(whole * inputs.pick(3)),
+          seed(std::floor(65536.0f * inputs.pick(4)) / 65536.0f)
+    {
+    }
+    float px_per_unit, whole, arc, seed;
+};
 
 }  // namespace
 
@@ -153,18 +166,60 @@ TEST_F(line_shaders, draw_strokes_as_vectors_do)
         [&](const glm::vec4& drawn, const ShaderInputs& inputs) {
             const auto pick = [&](int number) { return inputs.pick(number); };
             const StrokeShape shape(character_of(inputs));
-            const float px_per_unit = 2.0f + 400.0f * pick(0) * pick(1);
-            const float whole = 0.05f + 8.0f * pick(2), arc = whole * pick(3);
-            const float seed = std::floor(65536.0f * pick(4)) / 65536.0f;
+            const StrokePlace at(inputs);
             const glm::vec3 place = 20.0f * glm::vec3(pick(5), pick(6), pick(7)) - 10.0f;
-            const LineStroke stroke{.length = pick(8) < 0.2f ? -whole : whole, .seed = seed};
-            const glm::dvec2 aside = shape.silhouette_stray(place, px_per_unit);
-            const glm::dvec4 wanted(shape.stray(arc, seed, px_per_unit), aside, shape.taper(stroke, arc, px_per_unit));
+            const LineStroke stroke{.length = pick(8) < 0.2f ? -at.whole : at.whole, .seed = at.seed};
+            const glm::dvec2 aside = shape.silhouette_stray(place, at.px_per_unit);
+            const glm::dvec4 wanted(shape.stray(at.arc, at.seed, at.px_per_unit), aside,
+                                    shape.taper(stroke, at.arc, at.px_per_unit));
             worst = glm::max(worst, glm::abs(glm::dvec4(drawn) - wanted));
             largest = glm::max(largest, glm::abs(wanted));
         });
     EXPECT_GT(largest.x, 1.0) << "pixels to the side";
     for (int i = 0; i < 4; ++i) EXPECT_LE(worst[i], 0.01) << i;
+}
+
+TEST_F(line_shaders, break_lines_where_vectors_do)
+{
+    const auto character_of = [](const ShaderInputs& inputs) {
+        return StrokeCharacter{.dash_px = 2.0f + 80.0f * inputs.pick_for_all(0),
+                               .dash_share = 0.1f + 0.9f * inputs.pick_for_all(1)};
+    };
+    int count = 0, inked = 0, other_octave = 0;
+    double worst_phase = 0.0, worst_coverage = 0.0;
+    compare(
+        "test_line_stroke.frag",
+        [&](const GpuProgram& gpu, const ShaderInputs& inputs) {
+            const StrokeCharacter stroke = character_of(inputs);
+            GpuProgram::set(gpu.location("hw_stroke_dash"), glm::vec2(stroke.dash_px, stroke.dash_share));
+        },
+        [&](const glm::vec4& drawn, const ShaderInputs& inputs) {
+            const StrokeShape shape(character_of(inputs));
+            const StrokePlace at(inputs);
+            const float period = shape.dash_period(at.px_per_unit);
+            ++count;
+            // Halfway between two powers of two either is right.
+            const double octave = std::log2(character_of(inputs).dash_px / at.px_per_unit) + 0.5;
+            if (drawn.x != period && std::abs(octave - std::round(octave)) < 1e-4) {
+                ++other_octave;
+                return;
+            }
+            EXPECT_EQ(drawn.x, period);
+            const double phase = shape.dash_phase(at.arc, at.seed, period);
+            const double apart = std::abs(drawn.y - phase);
+            worst_phase = std::max(worst_phase, std::min(apart, 1.0 - apart));  // the end of a dash is its beginning
+            const double inside_px = std::min(phase, shape.dash_share() - phase) * period * at.px_per_unit;
+            const double coverage = std::clamp(inside_px + 0.5, 0.0, 1.0);
+            inked += coverage > 0.5 ? 1 : 0;
+            if (apart < 0.5) worst_coverage = std::max(worst_coverage, std::abs(drawn.z - coverage));
+        },
+        "#define SHOWS_DASHES 1\n");
+    EXPECT_EQ(count, kCalls * kSide * kSide);
+    EXPECT_GT(inked, count / 4);
+    EXPECT_LT(inked, count - count / 8);
+    EXPECT_LT(other_octave, count / 100);
+    EXPECT_LE(worst_phase, 1e-4);
+    EXPECT_LE(worst_coverage, 0.02) << "pixels of a dash of up to 120";
 }
 
 }  // namespace hw::test

@@ -76,11 +76,20 @@ float hw_stroke_taper(float arc, float whole, float px_per_unit)
     return mix(0.3, 1.0, smoothstep(0.0, hw_stroke_px.w, end_px));
 }
 
+// A dash with its gap, in the object's units: the power of two nearest to what the look wants on the screen.
+float hw_stroke_dash_period(float px_per_unit)
+{
+    return exp2(floor(log2(hw_stroke_dash.x / max(px_per_unit, 1e-20)) + 0.5));
+}
+
+// Where in a dash a place is, in [0, 1).
+float hw_stroke_dash_phase(float arc, float seed, float period) { return fract(arc / period + seed); }
+
 // Coverage of a broken line.
 float hw_stroke_dash_at(float arc, float seed, float px_per_unit)
 {
-    float period = exp2(floor(log2(hw_stroke_dash.x / max(px_per_unit, 1e-20)) + 0.5));
-    float phase = fract(arc / period + seed);
+    float period = hw_stroke_dash_period(px_per_unit);
+    float phase = hw_stroke_dash_phase(arc, seed, period);
     float inside_px = min(phase, hw_stroke_dash.y - phase) * period * px_per_unit;
     return clamp(inside_px + 0.5, 0.0, 1.0);
 }
