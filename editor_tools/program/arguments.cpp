@@ -29,7 +29,7 @@ void add_level_arguments(CommandLine command, LevelArguments& arguments)
     command.add_flag("--no-pvs", arguments.without_pvs, "Draw everything in the frustum");
     command.add_flag("--no-baked-light", arguments.without_baked_light, "Leave the lightmap beside the level alone");
     add_cache_argument(command, arguments.cache);
-    command.add_flag("--no-cache", arguments.without_cache, "Compile the level anew and keep nothing");
+    command.add_flag("--no-cache", arguments.without_cache, "Take no compiled level that is kept, and keep none");
 }
 
 void add_cache_argument(CommandLine command, fs::path& cache)
@@ -49,16 +49,22 @@ void add_json_argument(CommandLine command, fs::path& json_file)
     command.add_option("--json", json_file, "Write the result as JSON").option_text("FILE");
 }
 
+static VisibilityUse visibility_use(CompiledUse use)
+{
+    if (use == CompiledUse::where_kept) return VisibilityUse::where_kept;
+    return use == CompiledUse::in_background ? VisibilityUse::in_background : VisibilityUse::compiled;
+}
+
 StageOptions stage_options(const LevelArguments& arguments, CompiledUse use)
 {
     std::optional<CompiledCache> cache;
     if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
-    if (!arguments.without_cache && (use == CompiledUse::reused || !arguments.cache.empty()))
+    if (!arguments.without_cache && (use != CompiledUse::anew || !arguments.cache.empty()))
         cache = CompiledCache{arguments.cache};
     return {.file = arguments.file,
             .style_overrides = arguments.styles,
             .plugin_dirs = arguments.plugin_dirs,
-            .has_visibility = !arguments.without_pvs,
+            .visibility_use = arguments.without_pvs ? VisibilityUse::none : visibility_use(use),
             .visibility = {},
             .baked_light = arguments.without_baked_light ? BakedLight::unwanted : BakedLight::if_there,
             .cache = std::move(cache)};

@@ -26,8 +26,10 @@ struct LevelArguments {
 
 /// What a command does with compiled levels where --cache does not say.
 enum class CompiledUse : unsigned char {
-    anew,    ///< Compiles, and keeps nothing.
-    reused,  ///< Takes what is in the user's cache folder, or leaves it there.
+    anew,           ///< Compiles, and keeps nothing.
+    reused,         ///< Takes what is in the user's cache folder, or leaves it there.
+    where_kept,     ///< Takes what is in the user's cache folder, or goes without.
+    in_background,  ///< Takes what is in the user's cache folder, or leaves it there, without waiting.
 };
 
 void add_level_arguments(CommandLine command, LevelArguments& arguments);

@@ -62,6 +62,11 @@ void Renderer::reload_shaders()
     state_->device.programs.reload();
 }
 
+void Renderer::set_visibility(const Visibility* visibility)
+{
+    if (state_->scene) state_->scene->input.visibility = visibility;
+}
+
 void Renderer::load(SceneInput input)
 {
     HW_ASSERT(input.scene != nullptr && input.objects.size() == input.scene->objects.size());

@@ -29,6 +29,8 @@ class Renderer {
 
     /// Takes a scene: uploads what its styles need. Throws hw::Error when the device cannot hold it.
     void load(SceneInput input);
+    /// Of the scene that was loaded; null for none. Changes no pixel. Must outlive its use.
+    void set_visibility(const Visibility* visibility);
     /// Changes the looks alone (a style swapped, an object's style cycled); meshes, textures and shadows stay.
     void set_looks(std::vector<NamedStyle> styles, std::vector<StyledObject> objects);
 

@@ -46,6 +46,13 @@ std::optional<FolderHandle> opened(const CompiledCache& cache)
     }
 }
 
+std::optional<CompiledLevel> found_in(const FolderHandle& cache, const Level& level, const LevelWorld& world,
+                                      const VisibilityOptions& options)
+{
+    const std::uint64_t key = compiled_level_key(world.geometry_key, world.scene, level, options);
+    return find_compiled_level(cache, compiled_level_name(level), key, options.effort, world.scene, world.chunks);
+}
+
 void keep(const FolderHandle& cache, const Level& level, const CompiledLevel& compiled, const LevelWorld& world)
 {
     try {
@@ -68,11 +75,11 @@ FolderHandle opened_cache(const CompiledCache& cache)
 
 CompiledLevel compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options)
 {
-    CompileProgress progress;
     VisibilityOptions told = options;
-    told.progress = [&](double share) { progress.tell(share); };
+    std::optional<CompileProgress> bar;
+    if (!told.progress) told.progress = [&bar = bar.emplace()](double share) { bar.tell(share); };
     CompiledLevel compiled;
-    compiled.key = compiled_level_key(world.scene, level, options);
+    compiled.key = compiled_level_key(world.geometry_key, world.scene, level, options);
     compiled.effort = options.effort;
     compiled.visibility = build_visibility(world.scene, level, world.chunks, told);
     for (const Shortfall& shortfall : compiled.visibility.stats.shortfalls)
@@ -80,17 +87,21 @@ CompiledLevel compile_world(const Level& level, const LevelWorld& world, const V
     return compiled;
 }
 
-CompiledLevel find_or_compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options,
-                                    const CompiledCache& cache)
+std::optional<CompiledLevel> find_compiled_world(const Level& level, const LevelWorld& world,
+                                                 const VisibilityOptions& options, const CompiledCache& cache)
 {
     const std::optional<FolderHandle> folder = opened(cache);
-    if (!folder) return compile_world(level, world, options);
-    const std::uint64_t key = compiled_level_key(world.scene, level, options);
-    if (auto found =
-            find_compiled_level(*folder, compiled_level_name(level), key, options.effort, world.scene, world.chunks))
-        return std::move(*found);
+    return folder ? found_in(*folder, level, world, options) : std::nullopt;
+}
+
+CompiledLevel find_or_compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options,
+                                    const CompiledCache* cache)
+{
+    const std::optional<FolderHandle> folder = cache != nullptr ? opened(*cache) : std::nullopt;
+    if (folder)
+        if (auto found = found_in(*folder, level, world, options)) return std::move(*found);
     CompiledLevel compiled = compile_world(level, world, options);
-    keep(*folder, level, compiled, world);
+    if (folder) keep(*folder, level, compiled, world);
     return compiled;
 }
 

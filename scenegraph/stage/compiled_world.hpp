@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "hatchway/core/files/folder_handle.hpp"
 #include "hatchway/io/compiled/level.hpp"
@@ -17,12 +18,17 @@ struct CompiledCache {
 /// The cache's folder, made when it is missing. Throws hw::Error when it cannot be, or is a link.
 FolderHandle opened_cache(const CompiledCache& cache);
 
-/// Compiles the visibility of a world's scene, with a progress bar.
+/// Compiles the visibility of a world's scene; with a progress bar where `options` tell nobody.
 CompiledLevel compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options);
 
-/// The same, but taken from the cache where it is there and made from the same input; else it is kept there. Where
-/// nothing can be kept, one message says so. What lies beside the level is not looked at: it came with the level.
+/// What the cache holds of it, made from the same input. What lies beside the level is not looked at: it came with the
+/// level.
+std::optional<CompiledLevel> find_compiled_world(const Level& level, const LevelWorld& world,
+                                                 const VisibilityOptions& options, const CompiledCache& cache);
+
+/// find_compiled_world(), or else compile_world(), which is kept in the cache. Where nothing can be kept, one message
+/// says so. `cache` may be null.
 CompiledLevel find_or_compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options,
-                                    const CompiledCache& cache);
+                                    const CompiledCache* cache);
 
 }  // namespace hw

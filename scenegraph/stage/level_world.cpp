@@ -7,6 +7,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
+#include "hatchway/io/compiled/key.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
@@ -78,19 +79,14 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
     return level;
 }
 
-std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
-                                             BakedLight baked_light, const CompiledCache* cache)
+std::shared_ptr<const LevelWorld> open_world(const Level& level, BakedLight baked_light)
 {
     auto world = std::make_shared<LevelWorld>();
     world->scene = import_model(level.scene_file, level.project_root);
     world->chunks.reserve(world->scene.meshes.size());
     for (MeshData& mesh : world->scene.meshes) world->chunks.push_back(split_into_chunks(mesh));
-    if (visibility) {
-        CompiledLevel compiled = cache ? find_or_compile_world(level, *world, *visibility, *cache)
-                                       : compile_world(level, *world, *visibility);
-        world->visibility = std::make_unique<Visibility>(std::move(compiled.visibility));
-    }
-    // Last: a lightmap adds vertices to meshes, and must not change what a compiled level is known by.
+    // A lightmap adds vertices to meshes, and must not change what a compiled level is known by.
+    world->geometry_key = geometry_key(world->scene);
     if (baked_light == BakedLight::if_there) add_baked_light(level, *world);
     return world;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -7,19 +8,18 @@
 #include <vector>
 
 #include "hatchway/geometry/mesh_chunks.hpp"
-#include "hatchway/stage/compiled_world.hpp"
 #include "hatchway/world/level.hpp"
 #include "hatchway/world/light/lightmap.hpp"
-#include "hatchway/world/visibility/visibility.hpp"
+#include "hatchway/world/scene.hpp"
 
 namespace hw {
 
-/// The model of a level with its visibility: what a level's looks do not change. No device is needed up to here.
+/// The model of a level: what a level's looks do not change. No device is needed up to here.
 struct LevelWorld {
     Scene scene;
-    std::vector<MeshChunks> chunks;          ///< One for each mesh of the scene.
-    std::optional<Lightmap> lightmap;        ///< The level's baked light, its stream added to the meshes.
-    std::unique_ptr<Visibility> visibility;  ///< Null when it was not wanted.
+    std::vector<MeshChunks> chunks;    ///< One for each mesh of the scene.
+    std::uint64_t geometry_key = 0;    ///< What compiled visibility is known by.
+    std::optional<Lightmap> lightmap;  ///< The level's baked light, its stream added to the meshes.
 };
 
 /// The style of an object for which nobody named one.
@@ -31,13 +31,10 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 
 enum class BakedLight : unsigned char { unwanted, if_there };
 
-/// Imports the level's model and cuts its meshes into chunks; makes the visibility too when `visibility` is given, or
-/// takes it from `cache` when that is given, and takes the lightmap beside the level when it is wanted. One that was
-/// baked for another state of the level is left out, with a warning. The renderer points into the result, so it never
-/// moves.
-std::shared_ptr<const LevelWorld> open_world(const Level& level, const VisibilityOptions* visibility,
-                                             BakedLight baked_light = BakedLight::unwanted,
-                                             const CompiledCache* cache = nullptr);
+/// Imports the level's model, cuts its meshes into chunks, and takes the lightmap beside the level when it is wanted.
+/// One that was baked for another state of the level is left out, with a warning. The renderer points into the result,
+/// so it never moves.
+std::shared_ptr<const LevelWorld> open_world(const Level& level, BakedLight baked_light = BakedLight::unwanted);
 
 /// Whether the model and its visibility stay as they are when `before` becomes `after`.
 bool same_world(const Level& before, const Level& after);

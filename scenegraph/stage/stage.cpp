@@ -6,6 +6,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
+#include "hatchway/core/log.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/io/compiled/lightmap_file.hpp"
 #include "hatchway/io/images/images.hpp"
@@ -37,27 +38,60 @@ Stage::Stage(Context& context, StageOptions options)
     // Styles first: a wrong name in the level shows at once, not after the model has been loaded.
     Level level = read_level_with(options_.file, options_.style_overrides);
     styles_.set_level(level);
-    auto world = world_of(level);
-    shown_ = with_looks(std::move(level), std::move(world), {});
+    shown_ = with_looks(opened(std::move(level)), {});
     load();
+    compile_beside();
     watch_files();
 }
 
 Stage::~Stage() = default;
 
-std::shared_ptr<const LevelWorld> Stage::world_of(const Level& level) const
+Stage::Shown Stage::opened(Level level) const
 {
-    return open_world(level, options_.has_visibility ? &options_.visibility : nullptr, options_.baked_light,
-                      options_.cache ? &*options_.cache : nullptr);
+    Shown shown;
+    shown.world = open_world(level, options_.baked_light);
+    const CompiledCache* cache = options_.cache ? &*options_.cache : nullptr;
+    std::optional<CompiledLevel> compiled;
+    if (options_.visibility_use == VisibilityUse::compiled)
+        compiled = find_or_compile_world(level, *shown.world, options_.visibility, cache);
+    else if (options_.visibility_use != VisibilityUse::none && cache != nullptr)
+        compiled = find_compiled_world(level, *shown.world, options_.visibility, *cache);
+    if (compiled) shown.visibility = std::make_shared<Visibility>(std::move(compiled->visibility));
+    shown.level = std::move(level);
+    return shown;
 }
 
-Stage::Shown Stage::with_looks(Level level, std::shared_ptr<const LevelWorld> world,
-                               const std::vector<AssignRule>& extra_rules)
+void Stage::compile_beside()
 {
-    Level with_extra = level;
+    if (options_.visibility_use == VisibilityUse::in_background && !shown_.visibility)
+        visibility_job_ =
+            std::make_unique<VisibilityJob>(shown_.level, shown_.world, options_.visibility, options_.cache);
+}
+
+void Stage::take_visibility()
+{
+    if (!visibility_job_ || !visibility_job_->is_done()) return;
+    const std::unique_ptr<VisibilityJob> job = std::move(visibility_job_);
+    try {
+        shown_.visibility = job->take();
+        renderer_.set_visibility(shown_.visibility.get());
+    } catch (const std::exception& error) {
+        log_warning(std::string("no visibility, everything in the frustum is drawn: ") + error.what());
+    }
+}
+
+std::string Stage::activity() const
+{
+    if (!visibility_job_) return {};
+    return "Compiling what is seen from where, " + std::to_string(static_cast<int>(100 * visibility_job_->share())) +
+           " %";
+}
+
+Stage::Shown Stage::with_looks(Shown shown, const std::vector<AssignRule>& extra_rules)
+{
+    Level with_extra = shown.level;
     with_extra.assign.insert(with_extra.assign.end(), extra_rules.begin(), extra_rules.end());
     require_maps(with_extra);
-    Shown shown{std::move(level), std::move(world), {}, {}};
     shown.looks = resolve_looks(with_extra, shown.world->scene, kFallbackStyle);
     shown.objects = styled_objects(shown.looks, styles_);
     for (ObjectId id = 0; id < shown.objects.size(); ++id) {
@@ -109,7 +143,7 @@ void Stage::load()
     input.scene = &world.scene;
     input.styles = styles_.styles();
     input.objects = shown_.objects;
-    input.visibility = world.visibility.get();
+    input.visibility = shown_.visibility.get();
     input.chunks = world.chunks;
     input.lightmap = world.lightmap ? &*world.lightmap : nullptr;
     input.named_maps = named_maps_ = named_maps();
@@ -124,7 +158,7 @@ void Stage::load()
 
 void Stage::set_extra_rules(std::vector<AssignRule> rules)
 {
-    show(with_looks(shown_.level, shown_.world, rules), true);
+    show(with_looks({shown_.level, shown_.world, shown_.visibility, {}, {}}, rules), true);
     extra_rules_ = std::move(rules);
 }
 
@@ -163,6 +197,7 @@ std::vector<std::filesystem::path> Stage::shader_folders() const
 
 Reload Stage::reload_changed()
 {
+    take_visibility();
     std::set<Part> changed;
     for (const std::filesystem::path& path : watch_.changed()) changed.insert(watched_.at(path));
     if (changed.empty()) return Reload::nothing;
@@ -184,8 +219,13 @@ Reload Stage::reload_level(bool is_model_changed)
         Level level = read_level_with(options_.file, options_.style_overrides);
         styles_.set_level(level);
         const bool is_new_world = is_model_changed || !same_world(shown_.level, level);
-        auto world = is_new_world ? world_of(level) : shown_.world;
-        show(with_looks(std::move(level), std::move(world), extra_rules_), false);
+        Shown next =
+            is_new_world ? opened(std::move(level)) : Shown{std::move(level), shown_.world, shown_.visibility, {}, {}};
+        show(with_looks(std::move(next), extra_rules_), false);
+        if (is_new_world) {
+            visibility_job_.reset();
+            compile_beside();
+        }
         return is_new_world ? Reload::world : Reload::looks;
     } catch (const std::exception& error) {
         problems.emplace_back(error.what());

@@ -12,17 +12,25 @@
 #include "hatchway/stage/file_watch.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/stage/map_store.hpp"
+#include "hatchway/stage/visibility_job.hpp"
 #include "hatchway/world/looks.hpp"
 
 namespace hw {
 
 class Context;
 
+enum class VisibilityUse : unsigned char {
+    none,           ///< Everything in the frustum is drawn.
+    where_kept,     ///< As `none` where the cache holds no compiled level that fits.
+    compiled,       ///< Opening waits until it is compiled.
+    in_background,  ///< As `none` until it is compiled beside the drawing. Pictures are the same.
+};
+
 struct StageOptions {
     std::filesystem::path file;                      ///< A level file or a bare model.
     std::vector<std::string> style_overrides;        ///< "GLOB=STYLE", stronger than the level's own rules.
     std::vector<std::filesystem::path> plugin_dirs;  ///< Searched beside the installation.
-    bool has_visibility = true;                      ///< Without, everything in the frustum is drawn.
+    VisibilityUse visibility_use = VisibilityUse::compiled;
     VisibilityOptions visibility;
     BakedLight baked_light = BakedLight::if_there;
     std::optional<CompiledCache> cache;  ///< Absent: the visibility is compiled at every start and not kept.
@@ -47,7 +55,8 @@ class Stage {
     const LevelWorld& world() const { return *shown_.world; }
     const Scene& scene() const { return shown_.world->scene; }
     const std::vector<MeshChunks>& chunks() const { return shown_.world->chunks; }
-    const Visibility* visibility() const { return shown_.world->visibility.get(); }
+    /// Null while there is none.
+    const Visibility* visibility() const { return shown_.visibility.get(); }
     const std::vector<ObjectLook>& looks() const { return shown_.looks; }
     const PluginRegistry& plugins() const { return plugins_; }
     /// What an object may be styled with: the level's styles, then plugins with their defaults.
@@ -57,9 +66,13 @@ class Stage {
     /// hw::Error, and leaves everything as it was, when a rule names a style or map that does not work.
     void set_extra_rules(std::vector<AssignRule> rules);
 
-    /// Takes up what changed on disk: level, model, maps, shaders. Looks about four times a second, else returns at
-    /// once. On an error the last good state stays, messages() tells, and watching goes on.
+    /// Takes up what was prepared beside the drawing, and what changed on disk: level, model, maps, shaders. Looks
+    /// about four times a second, else returns at once. On an error the last good state stays, messages() tells, and
+    /// watching goes on.
     Reload reload_changed();
+
+    /// What is prepared beside the drawing, in words; empty: nothing.
+    std::string activity() const;
 
     /// What is wrong now: of the last reload, and of styles that stopped drawing. Empty when all is well.
     std::vector<std::string> messages() const;
@@ -72,12 +85,16 @@ class Stage {
     struct Shown {
         Level level;
         std::shared_ptr<const LevelWorld> world;
+        std::shared_ptr<const Visibility> visibility;
         std::vector<ObjectLook> looks;
         std::vector<StyledObject> objects;
     };
 
-    std::shared_ptr<const LevelWorld> world_of(const Level& level) const;
-    Shown with_looks(Level level, std::shared_ptr<const LevelWorld> world, const std::vector<AssignRule>& extra_rules);
+    /// The level's world and visibility, without looks.
+    Shown opened(Level level) const;
+    Shown with_looks(Shown shown, const std::vector<AssignRule>& extra_rules);
+    void compile_beside();
+    void take_visibility();
     /// Reads every map that the level names, also where no object uses it, so that a wrong one is told with its place.
     void require_maps(const Level& level);
     NamedMaps named_maps();
@@ -99,6 +116,7 @@ class Stage {
     NamedMaps named_maps_;  ///< What load() gave to the renderer.
     std::size_t loaded_map_count_ = 0;
     std::vector<AssignRule> extra_rules_;
+    std::unique_ptr<VisibilityJob> visibility_job_;  ///< While one runs.
     FileWatch watch_;
     std::map<std::filesystem::path, Part> watched_;
     std::map<Part, std::vector<std::string>> problems_;

@@ -118,6 +118,7 @@ void add_bottom_lines(const WalkFacts& facts, Overlay& overlay)
     lines.add_left(hint(facts));
     lines.add_right(fmt::format("{}   {}, {}", gait, rate_text(facts.fps), facts.quality));
     if (const std::string line = object_line(facts); !line.empty()) lines.add_left(line);
+    if (!facts.activity.empty()) lines.add_left(facts.activity);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct WalkFacts {
     FrameStats stats;
     std::vector<std::string> cameras;   ///< By their digits, from 1.
     std::vector<std::string> problems;  ///< What is wrong now.
+    std::string activity;               ///< What is prepared beside the drawing; empty: nothing.
     std::vector<std::string> notices;   ///< What happened just now.
     float width = 1280.0f;              ///< Of the window, logical pixels.
 };

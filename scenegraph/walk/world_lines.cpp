@@ -124,13 +124,14 @@ void add_wire(Lines& lines, const MeshData& mesh, const MeshChunk& chunk, const 
     }
 }
 
-void add_chunks(const LevelWorld& world, const WorldLineKinds& kinds, const glm::dvec3& eye_world, Lines& lines)
+void add_chunks(const LevelWorld& world, const Visibility& visibility, const WorldLineKinds& kinds,
+                const glm::dvec3& eye_world, Lines& lines)
 {
     std::vector<std::uint8_t> is_seen;
-    visible_chunks(*world.visibility, eye_world, 0.0, is_seen);
+    visible_chunks(visibility, eye_world, 0.0, is_seen);
     const Scene& scene = world.scene;
     for (std::size_t i = 0; i < is_seen.size(); ++i) {
-        const ChunkSlot& slot = world.visibility->slots[i];
+        const ChunkSlot& slot = visibility.slots[i];
         const std::size_t mesh = static_cast<std::size_t>(scene.objects[slot.object].mesh);
         const MeshChunk& chunk = world.chunks[mesh][slot.chunk];
         const glm::dmat4& world_from_object = scene.world_from_object(slot.object);
@@ -142,13 +143,13 @@ void add_chunks(const LevelWorld& world, const WorldLineKinds& kinds, const glm:
 
 }  // namespace
 
-std::vector<WorldLine> visibility_lines(const LevelWorld& world, const WorldLineKinds& kinds, const View& view)
+std::vector<WorldLine> visibility_lines(const LevelWorld& world, const Visibility& visibility,
+                                        const WorldLineKinds& kinds, const View& view)
 {
     Lines lines;
-    if (world.visibility == nullptr) return lines;
-    if (kinds.has_pvs || kinds.has_wire) add_chunks(world, kinds, view.eye_world, lines);
-    if (kinds.has_portals) add_portals(*world.visibility, view.eye_world, lines);
-    if (kinds.has_leaves) add_leaves(world.visibility->tree, view.eye_world, lines);
+    if (kinds.has_pvs || kinds.has_wire) add_chunks(world, visibility, kinds, view.eye_world, lines);
+    if (kinds.has_portals) add_portals(visibility, view.eye_world, lines);
+    if (kinds.has_leaves) add_leaves(visibility.tree, view.eye_world, lines);
     return lines;
 }
 

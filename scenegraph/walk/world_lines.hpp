@@ -9,6 +9,7 @@
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/style/view.hpp"
 #include "hatchway/world/visibility/leak.hpp"
+#include "hatchway/world/visibility/visibility.hpp"
 
 namespace hw {
 
@@ -28,8 +29,9 @@ struct WorldLineKinds {
     bool has_wire = false;     ///< The triangles of the chunks that the PVS lets through.
 };
 
-/// The lines of a visibility from an eye. None where the world has no visibility.
-std::vector<WorldLine> visibility_lines(const LevelWorld& world, const WorldLineKinds& kinds, const View& view);
+/// The lines of a world's visibility from an eye.
+std::vector<WorldLine> visibility_lines(const LevelWorld& world, const Visibility& visibility,
+                                        const WorldLineKinds& kinds, const View& view);
 
 /// The ways out of a level that ought to be sealed, a cross at each hole.
 std::vector<WorldLine> leak_lines(std::span<const Leak> leaks);

@@ -69,7 +69,7 @@ TEST(ink_slow, covers_between_two_and_twenty_five_percent_at_six_cameras_of_ever
         StageOptions options;
         options.file = kSharedData / "scenes" / scene.file;
         options.style_overrides = {"*=pen_and_ink"};
-        options.has_visibility = false;
+        options.visibility_use = VisibilityUse::none;
         Stage stage(*context, options);
         for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
             const CameraPlace camera{scene.cameras[i].eye, scene.cameras[i].target, 60.0};

@@ -44,9 +44,9 @@ class WalkStylesTest : public testing::Test {
 
     void open(const fs::path& file, std::vector<std::string> style_overrides = {})
     {
-        stage_ = std::make_unique<hw::Stage>(
-            *context_,
-            hw::StageOptions{.file = file, .style_overrides = std::move(style_overrides), .has_visibility = false});
+        stage_ = std::make_unique<hw::Stage>(*context_, hw::StageOptions{.file = file,
+                                                                         .style_overrides = std::move(style_overrides),
+                                                                         .visibility_use = hw::VisibilityUse::none});
     }
     fs::path level() const { return folder_ / "levels" / "prism.level.json"; }
     fs::path model() const { return folder_ / "models" / "prism.glb"; }

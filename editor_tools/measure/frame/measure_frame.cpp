@@ -179,7 +179,7 @@ std::vector<EffortStage> open_stages(Context& context, const FrameMeasureArgumen
         // A cache gives out what was compiled with more effort, too.
         if (options.cache) options.cache->folder /= effort;
         stages.push_back({effort, std::make_unique<Stage>(context, options)});
-        if (!options.has_visibility) break;
+        if (options.visibility_use == VisibilityUse::none) break;
     }
     return stages;
 }

@@ -60,7 +60,7 @@ class InkedLevel {
     InkedLevel(Context& context, const std::filesystem::path& file)
         : renderer_(context),
           level_(read_level_with(file, {})),
-          world_(open_world(level_, nullptr, BakedLight::if_there)),
+          world_(open_world(level_, BakedLight::if_there)),
           looks_(resolve_looks(level_, world_->scene, kFallbackStyle))
     {
         const int fine = maps_.use(level_, MapKind::hatch, "fine", "");

@@ -19,9 +19,7 @@ std::vector<ObjectPens> all_in(const Scene& scene, const NamedStyle& style)
 }  // namespace
 
 ExactLines::ExactLines(const std::filesystem::path& file, const NamedStyle& style)
-    : level_(read_level_with(file, {})),
-      world_(open_world(level_, nullptr)),
-      lines_(world_->scene, all_in(world_->scene, style))
+    : level_(read_level_with(file, {})), world_(open_world(level_)), lines_(world_->scene, all_in(world_->scene, style))
 {
 }
 

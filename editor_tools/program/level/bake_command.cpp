@@ -81,7 +81,7 @@ void bake(const BakeArguments& arguments)
     const std::filesystem::path out = arguments.out.empty() ? lightmap_path(arguments.file) : arguments.out;
     require_outputs({{"--out", out}}, {arguments.file});
     const Level level = read_level_with(arguments.file, {});
-    const auto world = open_world(level, nullptr);
+    const auto world = open_world(level);
     require_unread({{"--out", out}});
     std::uint32_t luxels = 0;
     double seconds = 0.0;

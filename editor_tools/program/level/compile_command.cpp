@@ -58,7 +58,7 @@ void compile(const CompileArguments& arguments)
     const std::vector<OutputFile> outputs{
         {"--out", arguments.out}, {"--prt", arguments.prt}, {"--json", arguments.json}};
     require_outputs(outputs, {arguments.file});
-    const auto world = open_world(level, nullptr);
+    const auto world = open_world(level);
     require_unread(outputs);
     VisibilityOptions options;
     options.effort = pvs_effort(arguments.effort);
@@ -81,7 +81,7 @@ void add_compile_command(CommandLine app)
 {
     auto arguments = std::make_shared<CompileArguments>();
     CommandLine command =
-        app.add_subcommand("compile", "Compiles what can be seen from where, as walk and render do at the first start");
+        app.add_subcommand("compile", "Compiles what can be seen from where, as walk does beside the first walk");
     command.add_option("level", arguments->file, "A level or a bare model").required().option_text("LEVEL|MODEL");
     command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
     command.add_option("--pvs", arguments->effort, "How tight; walk and render take what is at least full")

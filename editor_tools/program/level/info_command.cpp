@@ -3,6 +3,7 @@
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/drawing/scene_surfaces.hpp"
 #include "hatchway/io/json/out.hpp"
+#include "hatchway/stage/compiled_world.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
@@ -68,11 +69,10 @@ MeshTotals totals_of(const Scene& scene)
     return totals;
 }
 
-JsonValue info_json(const LevelWorld& world, const MeshTotals& totals)
+JsonValue info_json(const LevelWorld& world, const VisibilityStats& visibility, const MeshTotals& totals)
 {
     const Scene& scene = world.scene;
     const SurfaceReport& report = totals.report;
-    const VisibilityStats& visibility = world.visibility->stats;
     JsonValue json = JsonValue::object();
     json.set("triangles", report.triangles_in).set("triangles_drawn", drawn_triangle_count(scene));
     json.set("objects", static_cast<std::uint64_t>(scene.objects.size()));
@@ -97,10 +97,9 @@ JsonValue info_json(const LevelWorld& world, const MeshTotals& totals)
     return json;
 }
 
-void print_info(const LevelWorld& world, const MeshTotals& totals)
+void print_info(const LevelWorld& world, const VisibilityStats& visibility, const MeshTotals& totals)
 {
     const SurfaceReport& report = totals.report;
-    const VisibilityStats& visibility = world.visibility->stats;
     print_lines(fmt::format(
         "model       {} objects, {} meshes, {} triangles ({} drawn)\n"
         "faces       {} removed, {} collinear, {} flips repaired\n"
@@ -136,19 +135,20 @@ void info(const InfoArguments& arguments)
 {
     const std::vector<OutputFile> outputs{{"--json", arguments.json}};
     require_outputs(outputs, {arguments.file});
-    const VisibilityOptions visibility;
     const Level level = read_level_with(arguments.file, {});
     if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
     const CompiledCache cache{arguments.cache};
-    const auto world = open_world(level, &visibility, BakedLight::unwanted, arguments.cache.empty() ? nullptr : &cache);
+    const auto world = open_world(level);
+    const VisibilityStats visibility =
+        find_or_compile_world(level, *world, {}, arguments.cache.empty() ? nullptr : &cache).visibility.stats;
     require_unread(outputs);
     const MeshTotals totals = totals_of(world->scene);
     const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
-    print_info(*world, totals);
+    print_info(*world, visibility, totals);
     print_lines(hatch_text(hatching));
     if (arguments.has_nodes) print_nodes(world->scene);
     if (arguments.json.empty()) return;
-    JsonValue json = info_json(*world, totals);
+    JsonValue json = info_json(*world, visibility, totals);
     add_hatch_json(hatching, json);
     write_json(arguments.json, json);
 }

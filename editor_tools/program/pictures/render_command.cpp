@@ -116,7 +116,8 @@ void render(const RenderArguments& arguments)
     const glm::ivec2 size = parse_size(arguments.size);
     const auto context = make_headless_context();
     require_fits(size, context->device());
-    Stage stage(*context, stage_options(arguments.level, CompiledUse::reused));
+    Stage stage(*context, stage_options(arguments.level,
+                                        arguments.show.kinds.empty() ? CompiledUse::where_kept : CompiledUse::reused));
     warn_of_idle_styles(stage.level(), stage.scene(), arguments.level.styles.size());
     const Part part = part_of(arguments);
     const std::vector<Shot> shots =
@@ -133,7 +134,7 @@ void render(const RenderArguments& arguments)
         if (!part.has(i)) continue;
         View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
         view.time_s = shots[i].time_s;
-        options.overlay.lines = shown_lines(stage.world(), arguments.show, leaks, view, size);
+        options.overlay.lines = shown_lines(stage, arguments.show, leaks, view, size);
         const FrameStats stats = stage.draw(view, options);
         const fs::path file = picture_file(arguments, i);
         write_png(file, stage.renderer().read_picture());

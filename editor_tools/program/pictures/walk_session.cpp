@@ -72,7 +72,7 @@ WalkSession::WalkSession(Window& window, WalkOptions options) : window_(window),
 {
     const double usual_fps = is_software(window.device()) ? kSoftwareFps : kDeviceFps;
     goal_.target_fps = options_.target_fps > 0.0 ? options_.target_fps : usual_fps;
-    open(stage_options(options_.level, CompiledUse::reused));
+    open(stage_options(options_.level, CompiledUse::in_background));
     warn_of_idle_styles(stage_->level(), stage_->scene(), options_.level.styles.size());
     Camera first = start_camera(stage_->level(), stage_->scene(), aspect_of(window));
     if (!options_.camera.empty()) first = camera_named(options_.camera, stage_->level(), stage_->scene());
@@ -252,7 +252,7 @@ std::string WalkSession::save_level()
     options_.level.file = level_file;
     options_.level.styles.clear();
     const PlayerState kept = player_;
-    open(stage_options(options_.level, CompiledUse::reused));
+    open(stage_options(options_.level, CompiledUse::in_background));
     player_ = kept;
     return message;
 }
@@ -308,7 +308,7 @@ void WalkSession::draw()
     stats_ = stage_->draw(now, {.samples = quality.samples, .use_pvs = !options_.level.without_pvs, .is_timed = true});
     const WalkFacts shown = facts(quality, aimed_object(), window_size.x / content_scale);
     Overlay overlay = walk_overlay(shown);
-    overlay.lines = shown_lines(stage_->world(), options_.show, leaks_, now, window_size / content_scale);
+    overlay.lines = shown_lines(*stage_, options_.show, leaks_, now, window_size / content_scale);
     stage_->renderer().present(overlay, content_scale);
     pacing_ = after_frame(pacing_, goal_, 1000.0 * (now_s() - before_s));
     window_.swap();
@@ -358,6 +358,7 @@ WalkFacts WalkSession::facts(const FrameQuality& quality, const std::optional<Ob
                     .quality = describe(quality),
                     .stats = stats_,
                     .problems = stage_->messages(),
+                    .activity = stage_->activity(),
                     .width = width};
     if (aimed) {
         const ObjectLook& look = stage_->looks()[*aimed];

@@ -54,16 +54,20 @@ std::vector<Leak> told_leaks(const Level& level, const Scene& scene)
     return leaks;
 }
 
-std::vector<OverlayLine> shown_lines(const LevelWorld& world, const ShowArguments& arguments,
-                                     const std::vector<Leak>& leaks, const View& view, const glm::vec2& size_px)
+std::vector<OverlayLine> shown_lines(const Stage& stage, const ShowArguments& arguments, const std::vector<Leak>& leaks,
+                                     const View& view, const glm::vec2& size_px)
 {
     const auto has = [&](const char* kind) {
         return std::find(arguments.kinds.begin(), arguments.kinds.end(), kind) != arguments.kinds.end();
     };
-    std::vector<WorldLine> lines = visibility_lines(
-        world,
-        {.has_leaves = has("leaves"), .has_portals = has("portals"), .has_pvs = has("pvs"), .has_wire = has("wire")},
-        view);
+    std::vector<WorldLine> lines;
+    if (const Visibility* visibility = stage.visibility())
+        lines = visibility_lines(stage.world(), *visibility,
+                                 {.has_leaves = has("leaves"),
+                                  .has_portals = has("portals"),
+                                  .has_pvs = has("pvs"),
+                                  .has_wire = has("wire")},
+                                 view);
     const std::vector<WorldLine> out = leak_lines(leaks);
     lines.insert(lines.end(), out.begin(), out.end());
     return projected(lines, view, size_px);

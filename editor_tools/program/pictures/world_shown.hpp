@@ -24,8 +24,9 @@ std::vector<Leak> told_leaks(const Level& level, const Scene& scene);
 /// A leak in words, without a line break.
 std::string leak_text(const Leak& leak);
 
-/// The lines that were asked for, as `view` shows them in a picture of `size_px` logical pixels.
-std::vector<OverlayLine> shown_lines(const LevelWorld& world, const ShowArguments& arguments,
-                                     const std::vector<Leak>& leaks, const View& view, const glm::vec2& size_px);
+/// The lines that were asked for, as `view` shows them in a picture of `size_px` logical pixels; none of a visibility
+/// that is not there yet.
+std::vector<OverlayLine> shown_lines(const Stage& stage, const ShowArguments& arguments, const std::vector<Leak>& leaks,
+                                     const View& view, const glm::vec2& size_px);
 
 }  // namespace hw

@@ -33,8 +33,11 @@ class Key {
     std::uint64_t hash_ = hash_bytes({});
 };
 
-void add_scene(Key& key, const Scene& scene)
+}  // namespace
+
+std::uint64_t geometry_key(const Scene& scene)
 {
+    Key key;
     for (const MeshData& mesh : scene.meshes) {
         key.add_all(mesh.positions);
         key.add_all(mesh.indices);
@@ -49,15 +52,15 @@ void add_scene(Key& key, const Scene& scene)
         key.add(static_cast<std::uint8_t>(material.alpha_mode));
         key.add(material.is_double_sided);
     }
+    return key.value();
 }
 
-}  // namespace
-
-std::uint64_t compiled_level_key(const Scene& scene, const Level& level, const VisibilityOptions& options)
+std::uint64_t compiled_level_key(std::uint64_t geometry_key, const Scene& scene, const Level& level,
+                                 const VisibilityOptions& options)
 {
     Key key;
     key.add(kCompiledLevelVersion);
-    add_scene(key, scene);
+    key.add(geometry_key);
     key.add(level.structure.has_value());
     if (level.structure) {
         for (const std::string& glob : *level.structure) key.add_text(glob);

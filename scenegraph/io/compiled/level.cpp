@@ -32,7 +32,7 @@ std::optional<CompiledLevel> find_compiled_level(const FolderHandle& cache, cons
         if (level.key != key || level.effort < effort) return std::nullopt;
         return level;
     } catch (const Error& error) {
-        log_info(std::string(error.what()) + "; the level is compiled anew");
+        log_info(std::string(error.what()) + "; it is left aside");
         return std::nullopt;
     }
 }

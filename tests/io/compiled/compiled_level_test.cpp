@@ -48,7 +48,8 @@ struct Rooms {
         options.max_cells = 12;
         auto compiled = hw::test::compile(scene, options);
         chunks = std::move(compiled.chunks);
-        level = {hw::compiled_level_key(scene, {}, options), options.effort, std::move(compiled.visibility)};
+        level = {hw::compiled_level_key(hw::geometry_key(scene), scene, {}, options), options.effort,
+                 std::move(compiled.visibility)};
     }
     std::vector<std::byte> bytes() const { return hw::compiled_level_bytes(level, chunks); }
     hw::CompiledLevel read(std::span<const std::byte> from) const
@@ -231,16 +232,19 @@ TEST(compiled_level, is_known_by_what_decides_about_sight_and_by_nothing_else)
     hw::Scene& scene = rooms(builder);
     const hw::VisibilityOptions options;
     const hw::Level level;
-    const std::uint64_t key = hw::compiled_level_key(scene, level, options);
+    const auto key_of = [&](const hw::Scene& of, const hw::Level& in) {
+        return hw::compiled_level_key(hw::geometry_key(of), of, in, options);
+    };
+    const std::uint64_t key = key_of(scene, level);
     scene.materials[0].base_colour = glm::vec4(0.1f);
     scene.nodes[0].name = "another";
-    EXPECT_EQ(hw::compiled_level_key(scene, level, options), key);
+    EXPECT_EQ(key_of(scene, level), key);
     const auto changes = [&](auto change) {
         SceneBuilder other;
         hw::Scene& changed = rooms(other);
         hw::Level with = level;
         change(changed, with);
-        return hw::compiled_level_key(changed, with, options) != key;
+        return key_of(changed, with) != key;
     };
     EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { s.meshes[0].positions[3].x += 1e-3f; }));
     EXPECT_TRUE(changes([](hw::Scene& s, hw::Level&) { std::swap(s.meshes[0].indices[0], s.meshes[0].indices[1]); }));
