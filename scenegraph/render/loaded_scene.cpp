@@ -1,6 +1,7 @@
 #include "hatchway/render/loaded_scene.hpp"
 
 #include <algorithm>
+#include <future>
 
 #include "hatchway/core/error.hpp"
 
@@ -83,10 +84,14 @@ void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledOb
         new_maps.push_back(maps_of(new_needs.back()));
         make_images(new_needs.back(), 0, new_images);
     }
+    std::vector<StreamUse> streams;
     for (ObjectId object = 0; object < objects.size(); ++object)
         for (const int style : {objects[object].style, objects[object].over})
-            if (style != kNone) gpu.mesh_of(object, new_needs[style].streams);
+            if (style != kNone) streams.push_back({object, new_needs[style].streams});
+    std::future<void> coordinates = std::async(std::launch::async, [&] { gpu.prepare(streams); });
     edges.prepare(edge_demands(objects, new_needs));
+    coordinates.get();
+    for (const StreamUse& use : streams) gpu.mesh_of(use.object, use.streams);
     // Nothing below throws.
     needs = std::move(new_needs);
     style_maps = std::move(new_maps);

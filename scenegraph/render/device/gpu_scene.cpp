@@ -1,5 +1,7 @@
 #include "hatchway/render/device/gpu_scene.hpp"
 
+#include <tbb/parallel_for_each.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -244,29 +246,55 @@ GpuScene::GpuScene(const Scene& scene, const std::vector<const MapLevels*>& maps
     }
 }
 
+bool GpuScene::makes_uv(ObjectId object, const Streams& streams) const
+{
+    const bool has_own = mesh_of(object).features & surface_feature::kUv0;
+    return streams.hatch_uv && (streams.hatch_source != HatchSource::model || !has_own);
+}
+
+std::optional<GpuScene::StreamKey> GpuScene::key_of(ObjectId object, const Streams& streams) const
+{
+    const bool has_hatch = makes_uv(object, streams) || streams.direction;
+    if (mesh_of(object).index_count == 0 || (!has_hatch && !streams.triangle_id)) return std::nullopt;
+    StreamKey key{scene_.objects[object].mesh, std::nullopt, streams.triangle_id};
+    if (has_hatch) key.source = streams.hatch_source;
+    if (key.source == HatchSource::model) key.source = streams.direction ? HatchSource::principal : HatchSource::box;
+    return key;
+}
+
+HatchCoordinates GpuScene::coordinates(const StreamKey& key) const
+{
+    const MeshData& mesh = scene_.meshes[key.mesh];
+    HatchCoordinates hatch = key.source ? make_hatch_coordinates(mesh, *key.source) : no_coordinates(mesh);
+    return key.is_loose ? loosened(hatch) : hatch;
+}
+
+void GpuScene::prepare(std::span<const StreamUse> uses)
+{
+    std::map<StreamKey, HatchCoordinates> missing;
+    for (const StreamUse& use : uses)
+        if (const auto key = key_of(use.object, use.streams); key && !stream_meshes_.contains(*key)) missing[*key];
+    tbb::parallel_for_each(missing.begin(), missing.end(), [&](auto& each) { each.second = coordinates(each.first); });
+    prepared_ = std::move(missing);
+}
+
 StreamMesh GpuScene::mesh_of(ObjectId object, const Streams& streams)
 {
     namespace f = surface_feature;
-    const int index = scene_.objects[object].mesh;
-    const GpuMesh& own = meshes_[index];
-    const bool makes_uv = streams.hatch_uv && (streams.hatch_source != HatchSource::model || !(own.features & f::kUv0));
-    const bool has_hatch = makes_uv || streams.direction;
-    if (own.index_count == 0 || (!has_hatch && !streams.triangle_id)) return {&own, own.features};
-    StreamKey key{index, std::nullopt, streams.triangle_id};
-    if (has_hatch) key.source = streams.hatch_source;
-    if (key.source == HatchSource::model) key.source = streams.direction ? HatchSource::principal : HatchSource::box;
-    const auto [place, is_new] = stream_meshes_.try_emplace(key);
-    if (is_new) {
-        const MeshData& mesh = scene_.meshes[index];
-        HatchCoordinates hatch = key.source ? make_hatch_coordinates(mesh, *key.source) : no_coordinates(mesh);
-        if (key.is_loose) hatch = loosened(hatch);
-        place->second = upload_mesh(repeated(mesh, hatch), &hatch);
+    const GpuMesh& own = mesh_of(object);
+    const std::optional<StreamKey> key = key_of(object, streams);
+    if (!key) return {&own, own.features};
+    auto found = stream_meshes_.find(*key);
+    if (found == stream_meshes_.end()) {
+        const auto prepared = prepared_.extract(*key);
+        const HatchCoordinates hatch = prepared ? std::move(prepared.mapped()) : coordinates(*key);
+        found = stream_meshes_.emplace(*key, upload_mesh(repeated(scene_.meshes[key->mesh], hatch), &hatch)).first;
     }
     SurfaceFeatures features = own.features;
-    if (makes_uv) features |= f::kHatchUv;
+    if (makes_uv(object, streams)) features |= f::kHatchUv;
     if (streams.direction) features |= f::kDirection;
     if (streams.triangle_id) features |= f::kTriangleId;
-    return {&place->second, features};
+    return {&found->second, features};
 }
 
 std::uint32_t GpuScene::texture(const TextureUse& use, bool is_srgb)

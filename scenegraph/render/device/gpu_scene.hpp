@@ -4,8 +4,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "hatchway/geometry/hatching/hatch_coordinates.hpp"
 #include "hatchway/gl/gpu_buffer.hpp"
 #include "hatchway/gl/gpu_texture.hpp"
 #include "hatchway/maps/map_levels.hpp"
@@ -42,6 +44,12 @@ struct GpuMap {
     glm::vec4 info{1.0f};  ///< hw_..._info of surface.glsl.
 };
 
+/// An object and the streams that its style asks for.
+struct StreamUse {
+    ObjectId object = 0;
+    Streams streams;
+};
+
 /// A mesh with the streams that a style asks for.
 struct StreamMesh {
     const GpuMesh* mesh = nullptr;
@@ -60,6 +68,9 @@ class GpuScene {
     /// The object's mesh with `streams`, made when it is not there yet: vertices then stand once for each chart, or
     /// once for each triangle; triangles in the same order.
     StreamMesh mesh_of(ObjectId object, const Streams& streams);
+    /// Computes on all threads what mesh_of() will need for such uses. Touches no device: for any thread, while nothing
+    /// else is called here.
+    void prepare(std::span<const StreamUse> uses);
     int hatch_streams_built() const { return static_cast<int>(stream_meshes_.size()); }
     const GpuMaterial& material_of(ObjectId object) const { return materials_[scene_.objects[object].material]; }
     const GpuMap& map(int index);
@@ -75,6 +86,10 @@ class GpuScene {
         auto operator<=>(const StreamKey&) const = default;
     };
 
+    bool makes_uv(ObjectId object, const Streams& streams) const;
+    /// None where the mesh itself has all that is asked for.
+    std::optional<StreamKey> key_of(ObjectId object, const Streams& streams) const;
+    HatchCoordinates coordinates(const StreamKey& key) const;
     std::uint32_t texture(const TextureUse& use, bool is_srgb);
     GpuMaterial upload(const Material& material);
 
@@ -83,7 +98,8 @@ class GpuScene {
     std::vector<const MapLevels*> maps_;
     std::vector<GpuMesh> meshes_;
     std::map<StreamKey, GpuMesh> stream_meshes_;
-    std::vector<int> first_triangle_;  ///< Of each object.
+    std::map<StreamKey, HatchCoordinates> prepared_;  ///< Of meshes that are not on the device yet.
+    std::vector<int> first_triangle_;                 ///< Of each object.
     std::vector<GpuMaterial> materials_;
     std::vector<std::optional<GpuMap>> gpu_maps_;
     std::map<std::pair<int, bool>, GpuTexture> textures_;
