@@ -16,6 +16,7 @@ constexpr double kLevelCosine = 0.99;
 constexpr double kProbeInset_m = 0.03;  // behind an edge that is touched: narrower ledges carry nobody
 constexpr double kProbeLift_m = 0.05;
 constexpr double kProbeReach_m = 0.12;
+constexpr double kSureShare = 0.9;  // of the radius: what catches the rim of a body alone stops no fall
 constexpr Capsule kProbe{.radius_m = 0.01, .height_m = 0.02};
 
 const glm::dvec3 kUp(0.0, 1.0, 0.0);
@@ -217,6 +218,22 @@ Motion move_on_ground(const CollisionWorld& world, const Gait& gait, const glm::
     motion.is_firm = settled.is_firm;
     motion.velocity = per_second(motion.velocity, seconds);
     return motion;
+}
+
+bool stops_a_fall(const CollisionWorld& world, const Gait& gait, const glm::dvec3& foot_world)
+{
+    if (world.nodes.empty()) return false;
+    Gait narrow = gait;
+    narrow.capsule.radius_m *= kSureShare;
+    const double lowest = world.nodes.front().bounds.min.y;
+    const auto fall = [&](double drop_m) {
+        return slide_free(world, narrow, foot_world, -kUp * drop_m, Landing::on_ground);
+    };
+    if (fall(gait.step_m).is_carried) return true;  // most often; a short way costs little
+    const double drop_m = foot_world.y - lowest + gait.capsule.height_m;
+    if (drop_m <= 0.0) return false;
+    const Motion end = fall(drop_m);
+    return end.is_carried || end.foot_world.y > lowest;
 }
 
 Motion settle(const CollisionWorld& world, const Gait& gait, const glm::dvec3& foot_world, double drop_m)

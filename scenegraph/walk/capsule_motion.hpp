@@ -37,6 +37,9 @@ Motion move_on_ground(const CollisionWorld& world, const Gait& gait, const glm::
 Motion move_in_flight(const CollisionWorld& world, const Gait& gait, const glm::dvec3& foot_world,
                       const glm::dvec3& velocity, double seconds);
 
+/// Whether something stops a fall from there, steep or level: else nothing lies below, or only what one slides off.
+bool stops_a_fall(const CollisionWorld& world, const Gait& gait, const glm::dvec3& foot_world);
+
 /// Lowers the foot to the ground that carries, at most `drop_m` below. Not carried when there is none: the foot stays.
 Motion settle(const CollisionWorld& world, const Gait& gait, const glm::dvec3& foot_world, double drop_m);
 

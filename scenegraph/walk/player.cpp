@@ -95,6 +95,20 @@ void stand_or_fall(PlayerState& state, const Motion& motion)
     state.velocity.y = 0.0;
 }
 
+/// The move, unless it ends where nothing stops a fall: then what of it leads along the edge of the world, else up and
+/// down alone.
+template <typename Move>
+Motion within_world(const glm::dvec3& velocity, const PlayerBody& body, const CollisionWorld& world, const Move& move)
+{
+    const double x = velocity.x, y = velocity.y, z = velocity.z;
+    Motion motion;
+    for (const glm::dvec3& way : {velocity, glm::dvec3(x, y, 0.0), glm::dvec3(0.0, y, z), glm::dvec3(0.0, y, 0.0)}) {
+        motion = move(way);
+        if (stops_a_fall(world, body.gait, motion.foot_world)) break;
+    }
+    return motion;
+}
+
 void walk(PlayerState& state, const PlayerInput& input, const PlayerBody& body, const CollisionWorld& world)
 {
     const glm::dvec3 wish = limited(forward_of(state.yaw_rad) * input.forward + right_of(state.yaw_rad) * input.right);
@@ -108,13 +122,17 @@ void walk(PlayerState& state, const PlayerInput& input, const PlayerBody& body, 
     }
     if (state.is_carried) {
         const double before_m = state.foot_world.y;
-        stand_or_fall(state, move_on_ground(world, body.gait, state.foot_world, state.velocity, kPlayerTick_s));
+        stand_or_fall(state, within_world(state.velocity, body, world, [&](const glm::dvec3& way) {
+                          return move_on_ground(world, body.gait, state.foot_world, way, kPlayerTick_s);
+                      }));
         if (state.is_carried) state.eye_offset_m -= state.foot_world.y - before_m;
         return;
     }
     const double fastest = kFastestFall_mps * scale_of(body);
     state.velocity.y = std::max(-fastest, state.velocity.y - body.gravity_mps2 * kPlayerTick_s);
-    stand_or_fall(state, move_through_air(world, body.gait, state.foot_world, state.velocity, kPlayerTick_s));
+    stand_or_fall(state, within_world(state.velocity, body, world, [&](const glm::dvec3& way) {
+                      return move_through_air(world, body.gait, state.foot_world, way, kPlayerTick_s);
+                  }));
 }
 
 /// Back to where it stood last, when it fell out of the world or sits inside of something.
@@ -190,6 +208,7 @@ void tick(PlayerState& state, const PlayerInput& input, const PlayerBody& body, 
     const bool falls = !state.is_flying && !state.is_carried;
     if (!moves && !falls) return;
     if (body.is_solid) free_from_solids(state, body, world);
+    if (falls && !stops_a_fall(world, body.gait, state.foot_world)) state.is_flying = true;
     if (state.is_flying || world.triangles.empty())
         fly(state, input, body, world);
     else

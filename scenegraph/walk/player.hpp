@@ -65,7 +65,8 @@ inline constexpr double kPlayerTick_s = 1.0 / 120.0;
 inline constexpr double kLongestFrame_s = 0.25;
 
 /// The state after `seconds` of `input`. Time passes in whole ticks, so equal inputs lead along equal ways at any frame
-/// rate. Falling out of the world leads back to where it stood last.
+/// rate. Where nothing below would stop a fall, the world has an edge: who walks or jumps there stops, and who ends his
+/// flight there flies on. Who is caught in a solid that nothing leads out of goes back to where it stood last.
 PlayerState step(const PlayerState& state, const PlayerInput& input, const PlayerBody& body,
                  const CollisionWorld& world, double seconds);
 

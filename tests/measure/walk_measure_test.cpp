@@ -170,17 +170,37 @@ TEST(walk_measure, a_walker_that_is_thrown_once_or_put_back_without_need_is_coun
         };
         const WalkCounts counts = counts_of(builder.scene(), thrown, 400);
         EXPECT_EQ(counts.thrown, 4u);
-        EXPECT_EQ(counts.put_back, 4u * told);
+        EXPECT_EQ(counts.wrong(), 4u) << "told to have been put back: " << told;
     }
 }
 
-TEST(walk_measure, who_falls_into_the_void_is_put_back_and_that_is_no_fault)
+TEST(walk_measure, a_walker_on_a_plate_in_the_void_stays_on_it)
 {
     SceneBuilder builder;
     builder.quad(level_square(2, 0.0));
     const WalkCounts counts = counts_of(builder.scene(), walker_without(builder.scene(), {}), 4000);
-    EXPECT_GT(counts.put_back, 4u);
+    EXPECT_GT(counts.cells, 40u);
     EXPECT_EQ(counts.wrong(), 0u);
+}
+
+TEST(walk_measure, who_falls_into_the_void_and_is_put_back_or_flies_is_counted_each_time)
+{
+    SceneBuilder builder;
+    builder.quad(level_square(2, 0.0));
+    for (const bool flies : {false, true}) {
+        const auto falling = [flies](const PlayerState& state, const PlayerInput&, double seconds) {
+            PlayerState next = state;
+            next.foot_world.x += seconds;
+            if (next.foot_world.x < 3.0) return next;
+            next.foot_world.x = 0.3;
+            if (flies) next.is_flying = true;
+            if (!flies) ++next.put_back_count;
+            return next;
+        };
+        const WalkCounts counts = counts_of(builder.scene(), falling, 400);
+        EXPECT_GT(flies ? counts.lost : counts.put_back, 4u);
+        EXPECT_GE(counts.wrong(), counts.lost + counts.put_back);
+    }
 }
 
 TEST(walk_measure, a_walker_that_never_moves_is_stuck_once_in_half_a_minute)

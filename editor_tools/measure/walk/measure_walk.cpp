@@ -64,6 +64,7 @@ JsonValue json_of(const std::string& file, std::size_t starts, double seconds, c
     row.set("file", file).set("starts", static_cast<std::uint64_t>(starts)).set("seconds", seconds);
     row.set("inputs", counts.inputs).set("frames", counts.frames).set("walked_s", counts.walked_s);
     row.set("way_m", counts.way_m).set("cells", counts.cells).set("put_back", counts.put_back);
+    row.set("lost", counts.lost);
     row.set("penetrations", counts.penetrations).set("worst_depth_m", counts.worst_depth_m);
     row.set("walls_crossed", counts.walls_crossed).set("floors_crossed", counts.floors_crossed);
     row.set("thrown", counts.thrown).set("eyes_parted", counts.eyes_parted).set("stuck", counts.stuck);
@@ -98,20 +99,21 @@ JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArgum
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const std::string name = file.filename().string();
     tell_faults(name, counts);
-    print_line(fmt::format("{:<26}{:>9}{:>9}{:>9.1f}{:>8}{:>7}{:>8}{:>10.2g}{:>7}{:>7}{:>7}{:>7}{:>7}", name,
-                           counts.inputs, counts.frames, seconds, counts.cells, counts.put_back, counts.penetrations,
-                           counts.worst_depth_m, counts.walls_crossed, counts.floors_crossed, counts.thrown,
-                           counts.eyes_parted, counts.stuck));
+    print_line(fmt::format("{:<26}{:>9}{:>9}{:>9.1f}{:>8}{:>7}{:>7}{:>8}{:>10.2g}{:>7}{:>7}{:>7}{:>7}{:>7}", name,
+                           counts.inputs, counts.frames, seconds, counts.cells, counts.put_back, counts.lost,
+                           counts.penetrations, counts.worst_depth_m, counts.walls_crossed, counts.floors_crossed,
+                           counts.thrown, counts.eyes_parted, counts.stuck));
     return json_of(name, starts.size(), seconds, counts);
 }
 
 void measure_walk(const WalkMeasureArguments& arguments)
 {
     require_outputs({{"--json", arguments.json}}, arguments.files);
-    print_lines(fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}{:>10}{:>7}{:>7}{:>7}{:>7}{:>7}\n", "scene", "inputs",
-                            "frames", "seconds", "cells", "put", "pene-", "worst m", "walls", "floors", "thrown",
-                            "eyes", "stuck") +
-                fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>8}\n", "", "", "", "", "0.5 m", "back", "trated"));
+    print_lines(
+        fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>7}{:>8}{:>10}{:>7}{:>7}{:>7}{:>7}{:>7}\n", "scene", "inputs",
+                    "frames", "seconds", "cells", "put", "lost", "pene-", "worst m", "walls", "floors", "thrown",
+                    "eyes", "stuck") +
+        fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>7}{:>8}\n", "", "", "", "", "0.5 m", "back", "", "trated"));
     JsonValue rows = JsonValue::array();
     for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments));
     JsonValue json = JsonValue::object();

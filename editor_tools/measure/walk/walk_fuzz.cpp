@@ -92,6 +92,10 @@ class Walk {
                                  oracle_.crossed(before.foot_world, state_.foot_world, judged_);
         if (looks_wrong) judge_ticks(before, input, seconds);
         judge_eye();
+        if (!flies_ && state_.is_flying) {
+            fault(&WalkCounts::lost, "lost", state_.foot_world);
+            begin_at(number_ + counts.stuck + counts.lost);
+        }
         cells.insert(cell_of(state_.foot_world / scale_));
         still_s_ += seconds;
         if (glm::distance(anchor_, state_.foot_world) > options_.freedom_m * scale_) {
@@ -124,10 +128,12 @@ class Walk {
     {
         const glm::dvec3 &foot = from.foot_world, &end = to.foot_world;
         if (to.put_back_count != from.put_back_count) {
-            ++counts.put_back;
             const bool fell_out =
                 !oracle_.has_ground_below(foot) || oracle_.depth(foot, judged_) > options_.tolerance_m;
-            if (!fell_out) fault(&WalkCounts::thrown, "thrown", foot);
+            if (fell_out)
+                fault(&WalkCounts::put_back, "put_back", foot);
+            else
+                fault(&WalkCounts::thrown, "thrown", foot);
             return;
         }
         if (glm::distance(foot, end) > farthest_m(kPlayerTick_s)) fault(&WalkCounts::thrown, "thrown", foot);
@@ -159,7 +165,7 @@ class Walk {
             for (int direction = 0; direction < kDirections; ++direction)
                 if (gets_away(gait, direction * glm::two_pi<double>() / kDirections)) return;
         fault(&WalkCounts::stuck, "stuck", state_.foot_world);
-        begin_at(number_ + counts.stuck);
+        begin_at(number_ + counts.stuck + counts.lost);
     }
 
     bool gets_away(const PlayerInput& input, double yaw_rad) const
@@ -190,7 +196,7 @@ class Walk {
 
 void add(WalkCounts& sum, const WalkCounts& part)
 {
-    for (const auto counter : {&WalkCounts::inputs, &WalkCounts::frames, &WalkCounts::put_back,
+    for (const auto counter : {&WalkCounts::inputs, &WalkCounts::frames, &WalkCounts::put_back, &WalkCounts::lost,
                                &WalkCounts::penetrations, &WalkCounts::walls_crossed, &WalkCounts::floors_crossed,
                                &WalkCounts::thrown, &WalkCounts::eyes_parted, &WalkCounts::stuck})
         sum.*counter += part.*counter;

@@ -31,14 +31,15 @@ struct WalkFault {
     double depth_m = 0.0;  ///< Of the body in a triangle there.
 };
 
-/// What happened. All counters from `penetrations` to `stuck` must be 0.
+/// What happened. All counters from `put_back` to `stuck` must be 0.
 struct WalkCounts {
     std::uint64_t inputs = 0;
     std::uint64_t frames = 0;
     double walked_s = 0.0;  ///< Of the walkers' time.
     double way_m = 0.0;
     std::uint64_t cells = 0;         ///< Of half a metre in which a foot has been.
-    std::uint64_t put_back = 0;      ///< Times a walker had left the ground for the void and was put back.
+    std::uint64_t put_back = 0;      ///< Times a walker fell into the void, or into a solid, and was put back.
+    std::uint64_t lost = 0;          ///< Times a walker on foot got where nothing is below, and had to fly.
     std::uint64_t penetrations = 0;  ///< Frames at whose end a body reached into a triangle by more than the tolerance.
     double worst_depth_m = 0.0;
     std::uint64_t walls_crossed = 0;
@@ -48,7 +49,10 @@ struct WalkCounts {
     std::uint64_t stuck = 0;           ///< Places from which no input led away, jumping included.
     std::vector<WalkFault> faults;     ///< The first few.
 
-    std::uint64_t wrong() const { return penetrations + walls_crossed + floors_crossed + thrown + eyes_parted + stuck; }
+    std::uint64_t wrong() const
+    {
+        return put_back + lost + penetrations + walls_crossed + floors_crossed + thrown + eyes_parted + stuck;
+    }
 };
 
 /// Random walks: keys that are held for random times, mouse, jumps, wheel, in frames of 1 to 100 ms. Every frame's end

@@ -163,9 +163,10 @@ void WalkSession::take_input(double seconds)
 
 void WalkSession::move(const PlayerInput& input, double seconds)
 {
-    const std::uint32_t before = player_.put_back_count;
+    const PlayerState before = player_;
     player_ = step(player_, input, body_, collision(), seconds);
-    if (player_.put_back_count != before) tell("You fell out of the world: back where you stood last");
+    if (player_.put_back_count != before.put_back_count) tell("You were caught in a wall: back where you stood last");
+    if (player_.is_flying && !before.is_flying) tell("There is nothing below to stand on: you go on flying");
 }
 
 void WalkSession::obey(const CommandCall& call)
