@@ -33,12 +33,17 @@ TEST(half_edge_mesh, loses_no_face_where_openmesh_refuses_one)
     }
 }
 
-TEST(half_edge_mesh, its_plain_loop_finds_as_many_silhouettes_as_ours_from_a_harmless_eye)
+TEST(half_edge_mesh, both_of_its_loops_find_as_many_silhouettes_as_ours_from_a_harmless_eye)
 {
     const hw::Surface surface = hw::build_surface(torus(40, 20));
-    const hw::HalfEdgeMesh mesh(surface);
-    std::vector<int> edges;
-    mesh.plain_silhouettes({glm::dvec3(3.1, 2.3, 1.7)}, edges);
+    hw::HalfEdgeMesh mesh(surface);
+    const hw::Viewpoint eye{glm::dvec3(3.1, 2.3, 1.7)};
     hw::SilhouetteScratch scratch;
-    EXPECT_EQ(edges.size(), hw::all_silhouettes(surface, {glm::dvec3(3.1, 2.3, 1.7)}, {}, scratch).size());
+    const std::size_t ours = hw::all_silhouettes(surface, eye, {}, scratch).size();
+    std::vector<int> plain, kept;
+    mesh.plain_silhouettes(eye, plain);
+    mesh.kept_facing_silhouettes(eye, kept);
+    EXPECT_GT(ours, 50u);
+    EXPECT_EQ(plain.size(), ours);
+    EXPECT_EQ(kept, plain);
 }

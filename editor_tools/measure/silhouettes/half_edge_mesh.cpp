@@ -14,12 +14,18 @@ struct Traits : OpenMesh::DefaultTraits {
 
 using TriMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
+TriMesh::Point float_point(const glm::dvec3& p)
+{
+    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
 }  // namespace
 
 struct HalfEdgeMesh::Mesh {
     TriMesh tri;
     std::uint32_t surface_positions = 0;
     std::vector<std::uint32_t> original;  // for each vertex its position in the surface
+    std::vector<unsigned char> is_front;  // of each face, from the last eye
 };
 
 HalfEdgeMesh::HalfEdgeMesh(const Surface& surface) : mesh_(std::make_unique<Mesh>())
@@ -81,8 +87,7 @@ void HalfEdgeMesh::plain_silhouettes(const Viewpoint& viewpoint_object, std::vec
 {
     edges.clear();
     const TriMesh& tri = mesh_->tri;
-    const TriMesh::Point eye(static_cast<float>(viewpoint_object.eye.x), static_cast<float>(viewpoint_object.eye.y),
-                             static_cast<float>(viewpoint_object.eye.z));
+    const TriMesh::Point eye = float_point(viewpoint_object.eye);
     for (const auto edge : tri.edges()) {
         const auto side_a = tri.halfedge_handle(edge, 0), side_b = tri.halfedge_handle(edge, 1);
         if (tri.is_boundary(side_a) || tri.is_boundary(side_b)) continue;
@@ -92,6 +97,26 @@ void HalfEdgeMesh::plain_silhouettes(const Viewpoint& viewpoint_object, std::vec
         const bool a = dot(tri.normal(tri.face_handle(side_a)), to_viewer) > 0.0f;
         const bool b = dot(tri.normal(tri.face_handle(side_b)), to_viewer) > 0.0f;
         if (a != b) edges.push_back(edge.idx());
+    }
+}
+
+void HalfEdgeMesh::kept_facing_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges)
+{
+    edges.clear();
+    const TriMesh& tri = mesh_->tri;
+    const TriMesh::Point eye = float_point(viewpoint_object.eye);
+    mesh_->is_front.resize(tri.n_faces());
+    for (const auto face : tri.faces()) {
+        const TriMesh::Point& corner = tri.point(tri.to_vertex_handle(tri.halfedge_handle(face)));
+        const TriMesh::Point to_viewer = viewpoint_object.is_orthographic ? eye : eye - corner;
+        mesh_->is_front[static_cast<std::size_t>(face.idx())] = dot(tri.normal(face), to_viewer) > 0.0f;
+    }
+    for (const auto edge : tri.edges()) {
+        const int a = tri.face_handle(tri.halfedge_handle(edge, 0)).idx();
+        const int b = tri.face_handle(tri.halfedge_handle(edge, 1)).idx();
+        if (a < 0 || b < 0) continue;
+        if (mesh_->is_front[static_cast<std::size_t>(a)] != mesh_->is_front[static_cast<std::size_t>(b)])
+            edges.push_back(edge.idx());
     }
 }
 

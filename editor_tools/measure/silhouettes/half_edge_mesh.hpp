@@ -28,6 +28,10 @@ class HalfEdgeMesh {
     /// middle. Edge numbers are OpenMesh's.
     void plain_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges) const;
 
+    /// The same with the facing of each face kept for its edges: one product a face, eye to its first corner, and two
+    /// bytes compared an edge. The fastest of what OpenMesh's users do.
+    void kept_facing_silhouettes(const Viewpoint& viewpoint_object, std::vector<int>& edges);
+
     /// The ends of an edge as positions of the surface.
     std::array<std::uint32_t, 2> edge_ends(int edge) const;
 

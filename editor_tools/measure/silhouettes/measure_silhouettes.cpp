@@ -4,23 +4,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
-#include <numbers>
 #include <optional>
-#include <random>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/limits.hpp"
-#include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
-#include "hatchway/geometry/silhouettes/silhouettes.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
 #include "measure/measures.hpp"
-#include "measure/silhouettes/half_edge_mesh.hpp"
-#include "measure/silhouettes/silhouette_oracle.hpp"
+#include "measure/silhouettes/silhouette_subject.hpp"
 #include "measure/silhouettes/smooth_mesh.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
@@ -30,34 +24,19 @@ namespace hw {
 namespace {
 
 constexpr int kRounds = 3;
-constexpr int kTrials = 1000;  // random views among which the worst are looked for
-constexpr std::size_t kWorst = 5;
 constexpr float kNoCreases = 3.2f;
-constexpr double kLeastFaces = 0.9;  // of the model: where float positions collapse to less, nothing is measured
 
 struct SilhouetteMeasureArguments {
     std::vector<std::filesystem::path> files;
     std::vector<int> smooth;
-    int views = 26;
-    int random_views = 0;
-    bool is_orthographic = false;
+    SilhouetteViews views;
     std::vector<double> offsets{0.0, 1e3, 1e5, 1e6};
+    std::vector<double> node_offsets;
     std::vector<double> scales{1.0};
     std::filesystem::path json;
 };
 
-/// One mesh placed for one row, with the views that all methods get.
-struct Subject {
-    Surface surface;
-    std::unique_ptr<HalfEdgeMesh> half_edges;
-    std::unique_ptr<SilhouetteOracle> oracle;
-    std::vector<Viewpoint> views;
-    std::vector<std::vector<OracleEdge>> expected;  ///< For each view.
-    double preprocess_s = 0.0;                      ///< Without clusters.
-    double cluster_s = 0.0;
-};
-
-enum class Method { brute, candidates, hierarchy, automatic, openmesh };
+enum class Method { brute, candidates, hierarchy, automatic, openmesh, openmesh_kept };
 
 struct Variant {
     Method method;
@@ -65,33 +44,36 @@ struct Variant {
     const char* method_name;
     const char* precision_name;
 };
-constexpr std::array<Variant, 7> kVariants{{{Method::brute, FacingPrecision::exact, "brute", "exact"},
-                                            {Method::candidates, FacingPrecision::exact, "candidates", "exact"},
-                                            {Method::hierarchy, FacingPrecision::exact, "hierarchy", "exact"},
-                                            {Method::automatic, FacingPrecision::exact, "auto", "exact"},
-                                            {Method::brute, FacingPrecision::double_only, "brute", "double"},
-                                            {Method::brute, FacingPrecision::single_only, "brute", "float"},
-                                            {Method::openmesh, FacingPrecision::single_only, "openmesh", "float"}}};
+constexpr std::array<Variant, 8> kVariants{
+    {{Method::brute, FacingPrecision::exact, "brute", "exact"},
+     {Method::candidates, FacingPrecision::exact, "candidates", "exact"},
+     {Method::hierarchy, FacingPrecision::exact, "hierarchy", "exact"},
+     {Method::automatic, FacingPrecision::exact, "auto", "exact"},
+     {Method::brute, FacingPrecision::double_only, "brute", "double"},
+     {Method::brute, FacingPrecision::single_only, "brute", "float"},
+     {Method::openmesh, FacingPrecision::single_only, "openmesh", "float"},
+     {Method::openmesh_kept, FacingPrecision::single_only, "openmesh kept", "float"}}};
+
+bool is_openmesh(Method method)
+{
+    return method == Method::openmesh || method == Method::openmesh_kept;
+}
 
 struct Row {
     std::string model;
     Variant variant;
-    double offset = 0.0;
-    double scale = 1.0;
+    SilhouettePlacement placement;
     std::vector<double> ms;
     std::uint64_t faces = 0;
     double faces_left = 1.0;  ///< Share of the model's faces before it was moved and scaled.
     std::uint64_t edges = 0;
-    SilhouetteErrors errors;
+    SilhouetteErrors errors;           ///< Against the file's triangles.
+    SilhouetteErrors repaired_errors;  ///< Against the surface after welding and repair.
+    std::optional<std::uint64_t> odd;  ///< Vertices; candidates make no closed loops.
     SilhouetteCounters counters;
     std::uint64_t bytes = 0;
     double preprocess_s = 0.0;
 };
-
-double seconds_since(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 double quantile(std::vector<double> values, double share)
 {
@@ -101,94 +83,25 @@ double quantile(std::vector<double> values, double share)
     return *at;
 }
 
-/// Views evenly around the mesh, random ones, and of more random ones those from which the filter left most faces open.
-std::vector<Viewpoint> views_of(const Surface& surface, const SilhouetteMeasureArguments& arguments)
-{
-    Box box;
-    for (const glm::vec3& p : surface.positions) box.add(glm::dvec3(p));
-    const double reach = 0.5 * glm::length(box.size());
-    const auto view = [&](double x, double y, double z) {
-        const glm::dvec3 direction(x, y, z);
-        return Viewpoint{arguments.is_orthographic ? direction : box.centre() + 3.0 * reach * direction,
-                         arguments.is_orthographic};
-    };
-    std::vector<Viewpoint> views;
-    for (int i = 0; i < arguments.views; ++i) {
-        const double y = 1.0 - 2.0 * (i + 0.5) / arguments.views,
-                     around = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
-        const double r = std::sqrt(1.0 - y * y);
-        views.push_back(view(r * std::cos(around), y, r * std::sin(around)));
-    }
-    std::mt19937 random(20011);
-    const auto part = [&] { return 2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0; };
-    const auto random_view = [&] {
-        const double x = part(), y = part(), z = part();
-        return view(x, y, z);
-    };
-    for (int i = 0; i < arguments.random_views; ++i) views.push_back(random_view());
-    std::vector<std::pair<std::uint64_t, Viewpoint>> trials;
-    SilhouetteScratch scratch;
-    for (int i = 0; i < kTrials; ++i) {
-        const Viewpoint trial = random_view();
-        scratch.counters = {};
-        find_facing(surface, trial, FacingPrecision::exact, scratch);
-        trials.emplace_back(scratch.counters.double_stage, trial);
-    }
-    std::stable_sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (std::size_t i = 0; i < kWorst; ++i) views.push_back(trials[i].second);
-    return views;
-}
-
-/// Positions and faces as the model has them: what a program that loads it into OpenMesh goes through. Our surfaces put
-/// faces that lie close together side by side.
-Surface in_model_order(const Surface& surface)
-{
-    std::vector<std::uint32_t> order(surface.faces.size());
-    for (std::uint32_t face = 0; face < order.size(); ++face) order[face] = face;
-    std::sort(order.begin(), order.end(),
-              [&](auto a, auto b) { return surface.face_triangle[a] < surface.face_triangle[b]; });
-    Surface plain;
-    plain.positions = surface.positions;
-    for (const std::uint32_t face : order) plain.faces.push_back(surface.faces[face]);
-    return plain;
-}
-
-constexpr SurfaceOptions kWithoutClusters{.cluster_from_faces = std::numeric_limits<std::uint32_t>::max()};
-
-/// Null where less than kLeastFaces of `whole_faces` is left: such a mesh is another one, and an empty one cannot be
-/// wrong.
-std::optional<Subject> subject_of(MeshData mesh, double offset, double scale, std::size_t whole_faces,
-                                  const SilhouetteMeasureArguments& arguments)
-{
-    for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) * scale + offset);
-    Subject subject;
-    const auto start = std::chrono::steady_clock::now();
-    subject.surface = build_surface(mesh, kWithoutClusters);
-    subject.preprocess_s = seconds_since(start);
-    if (subject.surface.faces.empty() ||
-        static_cast<double>(subject.surface.faces.size()) < kLeastFaces * static_cast<double>(whole_faces)) {
-        log_warning(fmt::format("moved by {:g} and scaled by {:g}, {} of {} faces are left: not measured", offset,
-                                scale, subject.surface.faces.size(), whole_faces));
-        return std::nullopt;
-    }
-    const auto cluster_start = std::chrono::steady_clock::now();
-    subject.surface.clusters.prepare(subject.surface);
-    subject.cluster_s = seconds_since(cluster_start);
-    subject.half_edges = std::make_unique<HalfEdgeMesh>(in_model_order(subject.surface));
-    subject.oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces);
-    subject.views = views_of(subject.surface, arguments);
-    for (const Viewpoint& view : subject.views)
-        subject.expected.push_back(subject.oracle->silhouettes(view.eye, view.is_orthographic ? 0.0 : 1.0));
-    return subject;
-}
-
-bool takes_clusters(const Subject& subject, Method method)
+bool takes_clusters(const SilhouetteSubject& subject, Method method)
 {
     const bool pays = subject.surface.faces.size() >= SurfaceOptions{}.cluster_from_faces;
     return method == Method::hierarchy || (method == Method::automatic && pays);
 }
 
-std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant, const Viewpoint& view,
+std::vector<OracleEdge> sorted(std::vector<OracleEdge> edges)
+{
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+}
+
+OracleEdge edge_between(const std::array<std::uint32_t, 2>& ends)
+{
+    return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
+}
+
+std::vector<OracleEdge> run_once(const SilhouetteSubject& subject, const Variant& variant, const Viewpoint& view,
                                  SilhouetteScratch& scratch, std::vector<int>& openmesh_edges, double& ms)
 {
     const SilhouetteOptions options{
@@ -197,49 +110,66 @@ std::vector<OracleEdge> run_once(const Subject& subject, const Variant& variant,
         .method = takes_clusters(subject, variant.method) ? SilhouetteMethod::hierarchy : SilhouetteMethod::brute};
     std::span<const std::uint32_t> edges;
     const auto start = std::chrono::steady_clock::now();
-    if (variant.method == Method::openmesh) {
+    if (variant.method == Method::openmesh)
         subject.half_edges->plain_silhouettes(view, openmesh_edges);
-    } else {
-        const auto find = variant.method == Method::candidates ? drawn_contours : all_silhouettes;
-        edges = find(subject.surface, view, options, scratch);
-    }
-    ms = 1e3 * seconds_since(start);
+    else if (variant.method == Method::openmesh_kept)
+        subject.half_edges->kept_facing_silhouettes(view, openmesh_edges);
+    else if (variant.method == Method::candidates)
+        edges = drawn_contours(subject.surface, view, options, scratch);
+    else
+        edges = all_silhouettes(subject.surface, view, options, scratch);
+    ms = 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     std::vector<OracleEdge> found;
-    const auto add = [&](const std::array<std::uint32_t, 2>& ends) {
-        found.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
-    };
-    if (variant.method == Method::openmesh) {
-        for (const int edge : openmesh_edges) add(subject.half_edges->edge_ends(edge));
+    if (is_openmesh(variant.method)) {
+        for (const int edge : openmesh_edges) found.push_back(edge_between(subject.half_edges->edge_ends(edge)));
     } else {
-        for (const std::uint32_t edge : edges) add(edge_vertices(subject.surface, edge));
+        for (const std::uint32_t edge : edges) found.push_back(edge_between(edge_vertices(subject.surface, edge)));
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    return sorted(std::move(found));
 }
 
-/// What a method is to find: candidates leave out what is drawn anyway and what the reflex rule hides, and so make no
-/// closed loops.
-std::vector<OracleEdge> expected_of(const Subject& subject, const Variant& variant, std::size_t view)
+/// The edges that the engine looks at for contours: it leaves out what is drawn anyway and what the reflex rule hides.
+std::vector<OracleEdge> candidate_edges(const Surface& surface)
 {
-    if (variant.method != Method::candidates) return subject.expected[view];
-    const EdgeClasses classes = classes_at(subject.surface, kNoCreases);
+    const EdgeClasses classes = classes_at(surface, kNoCreases);
     std::vector<OracleEdge> candidates;
-    for (const EdgeRange range : classes.candidates) {
-        for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-            const auto [a, b] = edge_vertices(subject.surface, edge);
-            candidates.push_back({std::min(a, b), std::max(a, b)});
-        }
-    }
-    std::sort(candidates.begin(), candidates.end());
-    std::vector<OracleEdge> expected;
-    std::set_intersection(candidates.begin(), candidates.end(), subject.expected[view].begin(),
-                          subject.expected[view].end(), std::back_inserter(expected));
-    return expected;
+    for (const EdgeRange range : classes.candidates)
+        for (std::uint32_t edge = range.begin; edge < range.end; ++edge)
+            candidates.push_back(edge_between(edge_vertices(surface, edge)));
+    return sorted(std::move(candidates));
 }
 
-void measure_subject(const Subject& subject, Row& row)
+std::vector<OracleEdge> common(const std::vector<OracleEdge>& a, const std::vector<OracleEdge>& b)
+{
+    std::vector<OracleEdge> both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+}
+
+void add(SilhouetteErrors& sum, const SilhouetteErrors& part)
+{
+    sum.false_positives += part.false_positives;
+    sum.false_negatives += part.false_negatives;
+    sum.odd_vertices += part.odd_vertices;
+}
+
+void judge(const SilhouetteSubject& subject, const std::vector<OracleEdge>& found, std::size_t view, Row& row)
+{
+    std::vector<OracleEdge> of_surface = subject.of_surface[view], of_file = subject.of_file[view];
+    const auto in_file = [&](const std::vector<OracleEdge>& edges) {
+        return subject.file->edges_between(subject.surface.positions, edges);
+    };
+    if (row.variant.method == Method::candidates) {
+        const std::vector<OracleEdge> candidates = candidate_edges(subject.surface);
+        of_surface = common(candidates, of_surface);
+        of_file = common(in_file(candidates), of_file);
+    }
+    add(row.errors, subject.file_oracle->judge(in_file(found), of_file));
+    add(row.repaired_errors, subject.surface_oracle->judge(found, of_surface));
+}
+
+void measure_subject(const SilhouetteSubject& subject, Row& row)
 {
     SilhouetteScratch scratch;
     std::vector<int> openmesh_edges;
@@ -248,13 +178,10 @@ void measure_subject(const Subject& subject, Row& row)
             double ms = 0.0;
             const auto found = run_once(subject, row.variant, subject.views[view], scratch, openmesh_edges, ms);
             row.ms.push_back(ms);
-            if (round > 0) continue;
-            const SilhouetteErrors errors = subject.oracle->judge(found, expected_of(subject, row.variant, view));
-            row.errors.false_positives += errors.false_positives;
-            row.errors.false_negatives += errors.false_negatives;
-            if (row.variant.method != Method::candidates) row.errors.odd_vertices += errors.odd_vertices;
+            if (round == 0) judge(subject, found, view, row);
         }
     }
+    if (row.variant.method != Method::candidates) row.odd = row.repaired_errors.odd_vertices;
     row.faces = subject.surface.faces.size();
     row.edges = subject.surface.edges.size();
     row.counters = scratch.counters;
@@ -275,12 +202,14 @@ JsonValue row_json(const Row& row)
     const double calls = static_cast<double>(row.ms.size());
     JsonValue json = JsonValue::object();
     json.set("model", row.model).set("method", row.variant.method_name).set("precision", row.variant.precision_name);
-    json.set("offset", row.offset).set("scale", row.scale).set("faces", row.faces);
-    json.set("faces_left", row.faces_left);
+    json.set("offset", row.placement.offset).set("moved", row.placement.is_by_node ? "node" : "vertices");
+    json.set("scale", row.placement.scale).set("faces", row.faces).set("faces_left", row.faces_left);
     json.set("ms_median", median).set("ms_p95", quantile(row.ms, 0.95));
     json.set("ns_per_edge", 1e6 * median / static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
     json.set("fp", std::uint64_t{row.errors.false_positives}).set("fn", std::uint64_t{row.errors.false_negatives});
-    json.set("odd", std::uint64_t{row.errors.odd_vertices});
+    json.set("repaired_fp", std::uint64_t{row.repaired_errors.false_positives});
+    json.set("repaired_fn", std::uint64_t{row.repaired_errors.false_negatives});
+    if (row.odd) json.set("odd", *row.odd);
     json.set("fallback", share(row.counters.exact_stage, row.counters.faces_tested));
     json.set("double_stage", share(row.counters.double_stage, row.counters.faces_tested));
     json.set("tested_share", static_cast<double>(row.counters.edges_tested) / calls /
@@ -289,13 +218,16 @@ JsonValue row_json(const Row& row)
     return json;
 }
 
+constexpr const char* kHeading = "{:<24} {:<13} {:<6} {:>8} {:<8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>9} {:>9} {:>5}";
+
 std::string row_text(const Row& row)
 {
-    return fmt::format("{:<24} {:<10} {:<6} {:>8.0e} {:>8.0e} {:>9.3f} {:>9.3f} {:>6} {:>6} {:>5} {:>9.5f}\n",
-                       row.model, row.variant.method_name, row.variant.precision_name, row.offset, row.scale,
-                       quantile(row.ms, 0.5), quantile(row.ms, 0.95), row.errors.false_positives,
-                       row.errors.false_negatives, row.errors.odd_vertices,
-                       share(row.counters.double_stage, row.counters.faces_tested));
+    return fmt::format("{:<24} {:<13} {:<6} {:>8.0e} {:<8} {:>8.0e} {:>9.3f} {:>9.3f} {:>6} {:>6} {:>9} {:>9} {:>5}\n",
+                       row.model, row.variant.method_name, row.variant.precision_name, row.placement.offset,
+                       row.placement.is_by_node ? "node" : "vertices", row.placement.scale, quantile(row.ms, 0.5),
+                       quantile(row.ms, 0.95), row.errors.false_positives, row.errors.false_negatives,
+                       row.repaired_errors.false_positives, row.repaired_errors.false_negatives,
+                       row.odd ? fmt::format("{}", *row.odd) : "-");
 }
 
 /// All primitives of a model as one mesh of bare triangles, object space.
@@ -328,36 +260,49 @@ std::vector<NamedMesh> meshes_of(const SilhouetteMeasureArguments& arguments)
     return meshes;
 }
 
+std::vector<SilhouettePlacement> placements_of(const SilhouetteMeasureArguments& arguments)
+{
+    std::vector<SilhouettePlacement> placements;
+    for (const bool is_by_node : {false, true})
+        for (const double offset : is_by_node ? arguments.node_offsets : arguments.offsets)
+            for (const double scale : arguments.scales) placements.push_back({offset, scale, is_by_node});
+    return placements;
+}
+
 void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 {
     require_outputs({{"--json", arguments.json}}, arguments.files);
     JsonValue rows = JsonValue::array();
     bool is_empty = true;
     const std::vector<NamedMesh> meshes = meshes_of(arguments);
-    Progress progress("Measuring silhouettes", meshes.size() * arguments.offsets.size() * arguments.scales.size());
-    print_line(fmt::format("{:<24} {:<10} {:<6} {:>8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>5} {:>9}", "model", "method",
-                           "number", "offset", "scale", "median ms", "p95 ms", "false+", "false-", "odd", "doubles"));
+    const std::vector<SilhouettePlacement> placements = placements_of(arguments);
+    Progress progress("Measuring silhouettes", meshes.size() * placements.size());
+    print_line(fmt::format(kHeading, "model", "method", "number", "offset", "of", "scale", "median ms", "p95 ms",
+                           "false+", "false-", "repaired+", "repaired-", "odd"));
     for (const NamedMesh& named : meshes) {
-        const std::size_t whole_faces = build_surface(named.mesh, kWithoutClusters).faces.size();
-        for (const double offset : arguments.offsets) {
-            for (const double scale : arguments.scales) {
-                progress.advance();
-                const std::optional<Subject> subject = subject_of(named.mesh, offset, scale, whole_faces, arguments);
-                if (!subject) continue;
-                for (const Variant& variant : kVariants) {
-                    Row row{.model = named.name, .variant = variant, .offset = offset, .scale = scale};
-                    measure_subject(*subject, row);
-                    row.faces_left = static_cast<double>(row.faces) / static_cast<double>(whole_faces);
-                    rows.push(row_json(row));
-                    is_empty = false;
-                    print_lines(row_text(row));
-                }
+        const std::size_t whole_faces = whole_faces_of(named.mesh);
+        for (const SilhouettePlacement& placement : placements) {
+            progress.advance();
+            const auto subject = silhouette_subject(named.mesh, placement, whole_faces, arguments.views);
+            if (!subject) continue;
+            for (const Variant& variant : kVariants) {
+                Row row{.model = named.name, .variant = variant, .placement = placement};
+                measure_subject(*subject, row);
+                row.faces_left = static_cast<double>(row.faces) / static_cast<double>(whole_faces);
+                rows.push(row_json(row));
+                is_empty = false;
+                print_lines(row_text(row));
             }
         }
     }
     if (is_empty)
         throw Error({.what = "no model keeps its faces there", .expected = "a smaller --offset or a larger --scale"});
-    if (!arguments.json.empty()) write_json(arguments.json, JsonValue::object().set("rows", std::move(rows)));
+    if (!arguments.json.empty())
+        write_json(arguments.json, JsonValue::object()
+                                       .set("views", arguments.views.around)
+                                       .set("random_views", arguments.views.random)
+                                       .set("is_orthographic", arguments.views.is_orthographic)
+                                       .set("rows", std::move(rows)));
 }
 
 }  // namespace
@@ -372,14 +317,20 @@ void add_measure_silhouettes(CommandLine measure)
         .delimiter(',')
         .option_text("LIST")
         .check(whole_number_in(64, 10'000'000));
-    command.add_option("--views", arguments->views, "Views around the model; 26")
+    command.add_option("--views", arguments->views.around, "Views around the model; 26")
         .option_text("N")
         .check(whole_number_in(1, 100'000));
-    command.add_option("--random", arguments->random_views, "Random views in addition, the same in each run; 0")
+    command.add_option("--random", arguments->views.random, "Random views in addition, the same in each run; 0")
         .option_text("N")
         .check(whole_number_in(0, 1'000'000));
-    command.add_flag("--orthographic", arguments->is_orthographic, "Look from directions, not from eyes");
-    command.add_option("--offset", arguments->offsets, "Move the model; 0,1e3,1e5,1e6")
+    command.add_flag("--orthographic", arguments->views.is_orthographic, "Look from directions, not from eyes");
+    command.add_option("--offset", arguments->offsets, "Move the vertices, in floats; 0,1e3,1e5,1e6")
+        .delimiter(',')
+        .option_text("LIST")
+        .check(number_in(0.0, limits::kMaxCoordinate));
+    command
+        .add_option("--node-offset", arguments->node_offsets,
+                    "Also turn the model's node and move it, in doubles; none")
         .delimiter(',')
         .option_text("LIST")
         .check(number_in(0.0, limits::kMaxCoordinate));

@@ -40,6 +40,13 @@ OracleEdge edge_of(std::uint32_t u, std::uint32_t v)
     return {std::min(u, v), std::max(u, v)};
 }
 
+/// To the precision of a long double.
+Wide wide(const mpq_class& number)
+{
+    const double most = number.get_d();
+    return Wide(most) + Wide(mpq_class(number - most).get_d());
+}
+
 /// Side vectors of a face in long doubles.
 struct WideSides {
     Wide px, py, pz, qx, qy, qz;
@@ -55,6 +62,17 @@ struct WideSides {
 };
 
 }  // namespace
+
+/// An eye in the space of the faces, homogeneous with w 1 or 0: exactly, and rounded.
+struct SilhouetteOracle::Eye {
+    Eye(Rational3 place, int is_place) : exact(std::move(place)), w(is_place)
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis) rounded[axis] = wide(exact[axis]);
+    }
+    Rational3 exact;
+    int w;
+    std::array<Wide, 3> rounded;
+};
 
 SilhouetteOracle::SilhouetteOracle(std::span<const glm::vec3> positions,
                                    std::span<const std::array<std::uint32_t, 3>> faces, Arithmetic arithmetic)
@@ -115,30 +133,56 @@ int SilhouetteOracle::longest_side(std::uint32_t face) const
     return longest;
 }
 
-int SilhouetteOracle::sign(std::uint32_t face, const glm::dvec3& eye, double w) const
+int SilhouetteOracle::sign(std::uint32_t face, const Eye& eye) const
 {
     const glm::vec3 &a = positions_[faces_[face][0]], &b = positions_[faces_[face][1]],
                     &c = positions_[faces_[face][2]];
     if (arithmetic_ == Arithmetic::filtered) {
         const WideSides s(a, b, c);
-        const Wide ex = eye.x - w * Wide(a.x), ey = eye.y - w * Wide(a.y), ez = eye.z - w * Wide(a.z);
-        const Wide value =
-            ex * (s.py * s.qz - s.pz * s.qy) + ey * (s.pz * s.qx - s.px * s.qz) + ez * (s.px * s.qy - s.py * s.qx);
-        const Wide size = std::abs(ex) * (std::abs(s.py * s.qz) + std::abs(s.pz * s.qy)) +
-                          std::abs(ey) * (std::abs(s.pz * s.qx) + std::abs(s.px * s.qz)) +
-                          std::abs(ez) * (std::abs(s.px * s.qy) + std::abs(s.py * s.qx));
+        // What rounding the eye may lose counts beside the eye's distance.
+        const auto away = [&](Wide e, Wide corner) { return std::abs(e) + std::abs(corner); };
+        const auto& [ex, ey, ez] = eye.rounded;
+        const Wide ax = eye.w * Wide(a.x), ay = eye.w * Wide(a.y), az = eye.w * Wide(a.z);
+        const Wide value = (ex - ax) * (s.py * s.qz - s.pz * s.qy) + (ey - ay) * (s.pz * s.qx - s.px * s.qz) +
+                           (ez - az) * (s.px * s.qy - s.py * s.qx);
+        const Wide size = away(ex, ax) * (std::abs(s.py * s.qz) + std::abs(s.pz * s.qy)) +
+                          away(ey, ay) * (std::abs(s.pz * s.qx) + std::abs(s.px * s.qz)) +
+                          away(ez, az) * (std::abs(s.px * s.qy) + std::abs(s.py * s.qx));
         if (std::abs(value) > kWideBound * size) return value > 0 ? 1 : -1;
     }
     const Rational3 origin = rational(a);
-    const Rational3 to_eye = {mpq_class(eye.x) - w * origin[0], mpq_class(eye.y) - w * origin[1],
-                              mpq_class(eye.z) - w * origin[2]};
+    Rational3 to_eye = eye.exact;
+    if (eye.w != 0) to_eye = minus(to_eye, origin);
     return sgn(dot(cross(minus(rational(b), origin), minus(rational(c), origin)), to_eye));
 }
 
 std::vector<OracleEdge> SilhouetteOracle::silhouettes(const glm::dvec3& eye, double w) const
 {
+    return silhouettes_from({{mpq_class(eye.x), mpq_class(eye.y), mpq_class(eye.z)}, w != 0.0});
+}
+
+std::vector<OracleEdge> SilhouetteOracle::silhouettes_in_world(const glm::dvec3& eye_world,
+                                                               const glm::dmat4& world_from_object, double w) const
+{
+    std::array<Rational3, 3> axes;  // columns of the matrix
+    Rational3 to_eye;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int row = 0; row < 3; ++row) axes[axis][row] = mpq_class(world_from_object[axis][row]);
+        to_eye[axis] = mpq_class(eye_world[axis]);
+        if (w != 0.0) to_eye[axis] -= mpq_class(world_from_object[3][axis]);
+    }
+    // Cramer's rule. A mirroring matrix turns no face over: facing belongs to the object's own winding.
+    const mpq_class volume = dot(axes[0], cross(axes[1], axes[2]));
+    const Rational3 eye_object{dot(to_eye, cross(axes[1], axes[2])) / volume,
+                               dot(to_eye, cross(axes[2], axes[0])) / volume,
+                               dot(to_eye, cross(axes[0], axes[1])) / volume};
+    return silhouettes_from({eye_object, w != 0.0});
+}
+
+std::vector<OracleEdge> SilhouetteOracle::silhouettes_from(const Eye& eye) const
+{
     std::vector<bool> is_front(faces_.size());
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) is_front[f] = sign(f, eye, w) > 0;
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) is_front[f] = sign(f, eye) > 0;
     for (const auto& [face, source] : inherits_) is_front[face] = is_front[source];
     std::vector<OracleEdge> found;
     for (const Pair& pair : pairs_) {
@@ -159,7 +203,8 @@ SilhouetteErrors SilhouetteOracle::judge(std::span<const OracleEdge> found, std:
 
     std::vector<std::uint32_t> count(positions_.size(), 0);
     for (const OracleEdge& edge : found) {
-        for (const std::uint32_t position : edge) ++count[position];
+        for (const std::uint32_t position : edge)
+            if (position < count.size()) ++count[position];
     }
     for (std::size_t i = 0; i < count.size(); ++i) errors.odd_vertices += is_closed_[i] && count[i] % 2 == 1;
     return errors;

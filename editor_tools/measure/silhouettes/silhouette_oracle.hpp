@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -34,6 +35,11 @@ class SilhouetteOracle {
     /// longest edge, if that edge has exactly two faces, else it is back-facing.
     std::vector<OracleEdge> silhouettes(const glm::dvec3& eye, double w = 1.0) const;
 
+    /// The same for an eye in world space and faces that a matrix places there, whose determinant is not 0: nothing is
+    /// rounded on the way to the object.
+    std::vector<OracleEdge> silhouettes_in_world(const glm::dvec3& eye_world, const glm::dmat4& world_from_object,
+                                                 double w = 1.0) const;
+
     /// Judges a sorted list against `expected`, the oracle's own for the same eye.
     SilhouetteErrors judge(std::span<const OracleEdge> found, std::span<const OracleEdge> expected) const;
 
@@ -46,7 +52,9 @@ class SilhouetteOracle {
         std::uint32_t face_b;
     };
 
-    int sign(std::uint32_t face, const glm::dvec3& eye, double w) const;
+    struct Eye;
+    std::vector<OracleEdge> silhouettes_from(const Eye& eye) const;
+    int sign(std::uint32_t face, const Eye& eye) const;
     bool is_collinear(std::uint32_t face) const;
     int longest_side(std::uint32_t face) const;
 

@@ -166,6 +166,40 @@ TEST(silhouettes, are_exact_at_every_offset_and_scale)
     }
 }
 
+TEST(silhouettes, are_those_of_exact_world_space_where_a_node_turns_the_object_and_moves_it_far_away)
+{
+    const hw::Surface surface = hw::build_surface(torus(96, 48), {.cluster_from_faces = 1});
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces);
+    hw::SilhouetteScratch scratch;
+    std::size_t edges = 0, wrong = 0;
+    for (const double offset : {0.0, 1e3, 1e5, 1e7}) {
+        const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), glm::dvec3(offset));
+        const glm::dmat4 world = glm::rotate(moved, 0.7, glm::normalize(glm::dvec3(3, 4, 5)));
+        for (int i = 0; i < 40; ++i) {
+            const glm::dvec3 eye_world(world * glm::dvec4(3.1 * std::cos(i), 0.07 * i - 1.3, 3.1 * std::sin(i), 1.0));
+            const auto found = found_edges(surface, hw::in_object({eye_world}, world), scratch, {});
+            const auto errors = oracle.judge(found, oracle.silhouettes_in_world(eye_world, world));
+            edges += found.size();
+            wrong += errors.false_positives + errors.false_negatives + errors.odd_vertices;
+        }
+    }
+    EXPECT_GT(edges, 160u * 100u);
+    EXPECT_EQ(wrong, 0u);
+}
+
+TEST(silhouette_oracle, sees_what_an_eye_in_floats_gets_wrong_far_from_the_origin)
+{
+    const hw::Surface surface = hw::build_surface(torus(96, 48));
+    const hw::SilhouetteOracle oracle(surface.positions, surface.faces);
+    hw::SilhouetteScratch scratch;
+    const glm::dmat4 world = glm::translate(glm::dmat4(1.0), glm::dvec3(1e5));
+    const glm::dvec3 eye_world(1e5 + 3.1234, 1e5 + 1.4321, 1e5 + 0.7171);
+    const auto expected = oracle.silhouettes_in_world(eye_world, world);
+    const hw::Viewpoint rounded = hw::in_object({glm::dvec3(glm::vec3(eye_world))}, world);
+    const auto errors = oracle.judge(found_edges(surface, rounded, scratch, {}), expected);
+    EXPECT_GT(errors.false_positives + errors.false_negatives, 0u);
+}
+
 TEST(silhouettes, are_exact_under_non_uniform_scale_and_one_ulp_of_noise)
 {
     hw::MeshData mesh = moved(sphere(24, 16), glm::scale(glm::mat4(1.0f), glm::vec3(1e-4f, 1.0f, 1e4f)));
