@@ -70,6 +70,18 @@ double average_visible_share(const Scene& scene, std::span<const MeshChunks> chu
     return sum / total / static_cast<double>(open_count);
 }
 
+/// The cube root of a number above 0, by Newton's steps from above until they no longer fall: the same bits on every
+/// machine, which std::cbrt does not promise.
+double cube_root(double number)
+{
+    double root = std::max(number, 1.0);
+    while (true) {
+        const double next = (2.0 * root + number / (root * root)) / 3.0;
+        if (!(next < root)) return root;
+        root = next;
+    }
+}
+
 /// Cells of even size, about as many as there may be; of a flat scene they are flat. A scene without extent has one.
 double longest_cell_m(const Scene& scene, const Grid& grid, const VisibilityOptions& options)
 {
@@ -79,7 +91,7 @@ double longest_cell_m(const Scene& scene, const Grid& grid, const VisibilityOpti
     const double longest = std::max({size.x, size.y, size.z});
     if (!(longest > 0.0)) return std::numeric_limits<double>::infinity();
     const glm::dvec3 sides = glm::max(size, glm::dvec3(std::max(kLeastSideShare * longest, kLeastSteps * grid.step_m)));
-    return kPartFactor * std::cbrt(sides.x * sides.y * sides.z / options.max_cells);
+    return kPartFactor * cube_root(sides.x * sides.y * sides.z / options.max_cells);
 }
 
 void add_shortfall(std::span<const glm::dvec3> places_world, std::string what, const Box& bounds_world,

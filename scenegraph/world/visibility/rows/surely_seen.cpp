@@ -32,7 +32,8 @@ glm::dvec3 point_in(const Winding& winding, Dice& dice)
     glm::dvec3 sum(0.0);
     double total = 0.0;
     for (int i = 0; i < winding.count; ++i) {
-        const double weight = std::pow(dice.share(), 4.0) + 1e-3;
+        const double share = dice.share(), squared = share * share;
+        const double weight = squared * squared + 1e-3;
         sum += weight * winding[i];
         total += weight;
     }

@@ -24,6 +24,16 @@ Face clipped(const Face& face, const FlowPlane& plane, Face& rim)
     return result;
 }
 
+/// Grows with the angle of a way from the first axis, as std::atan2 does, in [-2, 2]: by a quotient, whose bits are the
+/// same on every machine.
+double turn_of(double x, double y)
+{
+    const double size = std::abs(x) + std::abs(y);
+    if (size == 0.0) return 0.0;
+    const double slope = y / size;
+    return x >= 0.0 ? slope : std::copysign(2.0, y) - slope;
+}
+
 /// The points of a convex rim in order around its middle.
 Face lid(Face rim, const glm::dvec3& normal)
 {
@@ -32,7 +42,7 @@ Face lid(Face rim, const glm::dvec3& normal)
     const glm::dvec3 helper = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(helper, normal));
     const glm::dvec3 v = glm::cross(normal, u);
-    const auto turn = [&](const glm::dvec3& p) { return std::atan2(glm::dot(p - middle, v), glm::dot(p - middle, u)); };
+    const auto turn = [&](const glm::dvec3& p) { return turn_of(glm::dot(p - middle, u), glm::dot(p - middle, v)); };
     std::sort(rim.begin(), rim.end(), [&](const glm::dvec3& a, const glm::dvec3& b) { return turn(a) < turn(b); });
     return rim;
 }
