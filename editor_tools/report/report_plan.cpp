@@ -286,7 +286,7 @@ ReportSection walk_section(const std::string& hall, const fs::path& data)
             "Random inputs in each scene, frames of 1 to 100 ms, judged by distances and crossings that the walker "
             "does not use. All that is counted as wrong must be 0: bodies in walls, crossings, stuck walkers, who "
             "fell out of the world and was put back, who got on foot where nothing is below.",
-        .arguments = joined(std::move(arguments), {"--inputs", "300000"}),
+        .arguments = joined(std::move(arguments), {"--inputs", "100000"}),
         .plots = {{.title = "Time against what went wrong",
                    .x_column = "seconds",
                    .x_label = "seconds",
