@@ -15,9 +15,11 @@ void add_measure_command(CommandLine app)
     add_measure_ink(measure);
     add_measure_lightmap(measure);
     add_measure_lines(measure);
+    add_measure_portals(measure);
     add_measure_pvs(measure);
     add_measure_scale(measure);
     add_measure_silhouettes(measure);
+    add_measure_visible_lines(measure);
     add_measure_walk(measure);
 }
 

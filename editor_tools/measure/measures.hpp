@@ -14,9 +14,11 @@ void add_measure_hatch(CommandLine measure);
 void add_measure_ink(CommandLine measure);
 void add_measure_lightmap(CommandLine measure);
 void add_measure_lines(CommandLine measure);
+void add_measure_portals(CommandLine measure);
 void add_measure_pvs(CommandLine measure);
 void add_measure_scale(CommandLine measure);
 void add_measure_silhouettes(CommandLine measure);
+void add_measure_visible_lines(CommandLine measure);
 void add_measure_walk(CommandLine measure);
 
 }  // namespace hw

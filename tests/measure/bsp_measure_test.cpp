@@ -1,5 +1,6 @@
 // The measure of the tree on input that is broken on purpose, with wrong values that are known.
 #include "measure/visibility/bsp_measure.hpp"
+#include "hatchway/world/visibility/tree/structure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ TEST(bsp_measure, a_whole_tree_has_no_wrong_point_and_no_area_error)
     const Built built = four_squares_in_one_plane();
     ASSERT_EQ(built.build.tree.nodes.size(), 1u);
     EXPECT_EQ(measure::misclassified(built.build.tree, kPoints), 0u);
-    EXPECT_LT(measure::relative_area_error(built.structure, built.build), 1e-12);
+    EXPECT_LT(measure::relative_area_error(built.structure.area_m2, built.build), 1e-12);
 }
 
 std::uint64_t wrong_where_the_plane_looks_the_other_way()
@@ -76,10 +77,10 @@ TEST(bsp_measure, a_lost_piece_of_four_and_a_doubled_one_are_a_quarter_of_the_ar
     Built lost = four_squares_in_one_plane();
     ASSERT_EQ(lost.build.polygons_of_node[0].size(), 4u);
     lost.build.polygons_of_node[0].pop_back();
-    EXPECT_NEAR(measure::relative_area_error(lost.structure, lost.build), 0.25, 1e-9);
+    EXPECT_NEAR(measure::relative_area_error(lost.structure.area_m2, lost.build), 0.25, 1e-9);
     Built doubled = four_squares_in_one_plane();
     doubled.build.polygons_of_node[0].push_back(doubled.build.polygons_of_node[0].front());
-    EXPECT_NEAR(measure::relative_area_error(doubled.structure, doubled.build), 0.25, 1e-9);
+    EXPECT_NEAR(measure::relative_area_error(doubled.structure.area_m2, doubled.build), 0.25, 1e-9);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Patch patch_of(const InkPicture& before, const InkPicture& after, const SeenTwic
             const double i = x - kCoherenceReach;
             const double j = y - kCoherenceReach;
             patch.before[y][x] = before.sample(place.before + glm::dvec2(i, j));
-            patch.after[y][x] = after.sample(place.after + i * place.right + j * place.down);
+            patch.after[y][x] = after.sample(place.moved(i, j));
         }
     return patch;
 }
@@ -43,6 +43,25 @@ double mean_change(const Patch& patch, int reach)
         for (int x = kCoherenceReach - reach; x <= kCoherenceReach + reach; ++x)
             sum += patch.after[y][x] - patch.before[y][x];
     return std::abs(sum) / ((2 * reach + 1) * (2 * reach + 1));
+}
+
+template <typename Value>
+double mean_over(const Value& value)
+{
+    double sum = 0.0;
+    for (int y = 0; y < Patch::kSide; ++y)
+        for (int x = 0; x < Patch::kSide; ++x) sum += value(x, y);
+    return sum / (Patch::kSide * Patch::kSide);
+}
+
+double mean_pixel_change(const Patch& patch)
+{
+    return mean_over([&](int x, int y) { return std::abs(patch.after[y][x] - patch.before[y][x]); });
+}
+
+double mean_ink(const Patch& patch)
+{
+    return mean_over([&](int x, int y) { return patch.mean(x, y); });
 }
 
 /// The direction in which ink changes most: along a stroke nobody sees it move. Zero where there are no marks.
@@ -95,15 +114,16 @@ double InkPicture::sample(const glm::dvec2& at_px) const
            v * ((1.0 - u) * at(left, top + 1) + u * at(left + 1, top + 1));
 }
 
-void add_coherence(CoherenceErrors& errors, const InkPicture& before, const InkPicture& after,
+void add_coherence(std::vector<CoherenceError>& errors, const InkPicture& before, const InkPicture& after,
                    std::span<const SeenTwice> places)
 {
     for (const SeenTwice& place : places) {
         const Patch patch = patch_of(before, after, place);
-        errors.flicker.push_back(mean_change(patch, 1));
-        errors.tone.push_back(mean_change(patch, kCoherenceReach));
-        const double slide = slide_of(patch);
-        if (slide >= 0.0) errors.slide.push_back(slide);
+        errors.push_back({.flicker = mean_change(patch, 1),
+                          .pixel_flicker = mean_pixel_change(patch),
+                          .tone = mean_change(patch, kCoherenceReach),
+                          .ink = mean_ink(patch),
+                          .slide = slide_of(patch)});
     }
 }
 

@@ -1,5 +1,5 @@
-// Ink maps level by level: width of strokes, tone and contrast, of the map as it was made and of what minimum and box
-// filtering make of its finest level.
+// Ink maps level by level: width of strokes, tone and contrast, of the map as it was made, of one made anew from the
+// pixels of its finest level, and of what minimum and box filtering make of that level.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/images/map_file.hpp"
 #include "hatchway/io/json/out.hpp"
+#include "hatchway/maps/bitmap_strokes.hpp"
 #include "hatchway/maps/ink_map.hpp"
 #include "measure/hatching/ink_level.hpp"
 #include "measure/measures.hpp"
@@ -21,19 +22,40 @@ struct InkMeasureArguments {
     std::filesystem::path json;
 };
 
+/// A map as `hatchway map ink` makes it of a drawing in pixels.
+MapLevels from_pixels(const Pixels& drawing, const MapLevels& like)
+{
+    std::vector<MapStroke> strokes = strokes_of_bitmap(drawing);
+    rank_evenly(strokes);
+    const double pen_texels = ink_level_figures(drawing).stroke_texels;
+    return make_ink_map(strokes, {.width_texels = drawing.width,
+                                  .height_texels = drawing.height,
+                                  .pen_texels = pen_texels > 0.0 ? pen_texels : InkMapDesc{}.pen_texels,
+                                  .size_m = like.size_m})
+        .map;
+}
+
+double relative(double value, double to)
+{
+    return to > 0.0 ? value / to - 1.0 : 0.0;
+}
+
 void add_rows(JsonValue& rows, const std::string& name, const std::string& filter, const MapLevels& map)
 {
     const InkLevelFigures finest = ink_level_figures(map.levels.front());
+    InkLevelFigures above = finest;
     for (std::size_t i = 0; i < map.levels.size(); ++i) {
         const InkLevelFigures level = ink_level_figures(map.levels[i]);
+        const double tone_error = relative(level.tone, finest.tone), tone_step = relative(level.tone, above.tone);
+        above = level;
         const bool has_strokes = level.stroke_texels > 0.0 && finest.stroke_texels > 0.0;
         const double width_error = has_strokes ? level.stroke_texels / finest.stroke_texels - 1.0 : 0.0;
         const double kept = finest.contrast > 0.0 ? level.contrast / finest.contrast : 0.0;
         const std::string stroke = has_strokes
                                        ? fmt::format("{:>10.2f}{:>+9.0f} %", level.stroke_texels, 100.0 * width_error)
                                        : fmt::format("{:>21}", "none");
-        print_line(fmt::format("{:<20}{:<12}{:>6}{:>8}{}{:>9.3f}{:>+9.3f}{:>9.2f}", name, filter, i,
-                               map.levels[i].width, stroke, level.tone, level.tone - finest.tone, kept));
+        print_line(fmt::format("{:<20}{:<12}{:>6}{:>8}{}{:>9.3f}{:>+7.0f} %{:>+7.0f} %{:>9.2f}", name, filter, i,
+                               map.levels[i].width, stroke, level.tone, 100.0 * tone_error, 100.0 * tone_step, kept));
         rows.push(JsonValue::object()
                       .set("map", name)
                       .set("filter", filter)
@@ -42,7 +64,8 @@ void add_rows(JsonValue& rows, const std::string& name, const std::string& filte
                       .set("stroke_texels", level.stroke_texels)
                       .set("stroke_error", width_error)
                       .set("tone", level.tone)
-                      .set("tone_error", level.tone - finest.tone)
+                      .set("tone_error", tone_error)
+                      .set("tone_step", tone_step)
                       .set("contrast_kept", kept));
     }
 }
@@ -53,12 +76,13 @@ void measure_ink(const InkMeasureArguments& arguments)
     std::vector<MapLevels> maps;
     for (const std::filesystem::path& folder : arguments.maps) maps.push_back(read_map(folder));
     JsonValue rows = JsonValue::array();
-    print_line(fmt::format("{:<20}{:<12}{:>6}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}", "map", "levels", "level", "texels",
-                           "stroke", "error", "tone", "error", "contrast"));
+    print_line(fmt::format("{:<20}{:<12}{:>6}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}{:>9}", "map", "levels", "level", "texels",
+                           "stroke", "error", "tone", "of 0", "of last", "contrast"));
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const MapLevels& map = maps[i];
         const std::string name = std::filesystem::weakly_canonical(arguments.maps[i]).filename().string();
         add_rows(rows, name, "as made", map);
+        add_rows(rows, name, "from pixels", from_pixels(map.levels.front(), map));
         add_rows(rows, name, "minimum", filtered_by_minimum(map.levels.front(), map.size_m));
         add_rows(rows, name, "box", filtered_by_mean(map.levels.front(), map.size_m));
     }

@@ -11,7 +11,9 @@ namespace hw {
 namespace {
 
 constexpr double kFlatCosine = 0.9995;
-constexpr double kPlaneShare = 1e-3;  // off the plane, of the distance from the eye
+constexpr double kPlaneShare = 1e-3;    // off the plane, or the place, of the distance from the eye
+constexpr double kSmoothCosine = 0.87;  // between the middle of a place and its border
+constexpr double kUnsure_px = 0.05;
 
 /// A camera's pixels as rays.
 struct Sight {
@@ -46,6 +48,29 @@ struct Hit {
     glm::dvec3 place;
     glm::dvec3 normal;
 };
+
+/// Where a place around a pixel went, by rays.
+struct Moved {
+    glm::dvec2 to_px{0.0};
+    Hit hit;
+};
+
+constexpr std::pair<double, double> kBetween[] = {{-0.5, -0.5}, {0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5},
+                                                  {-1.0, 0.5},  {1.0, -0.5}, {0.5, 1.0},  {-0.5, -1.0}};
+
+/// The motion of second order through nine places that are `reach` pixels apart.
+SeenTwice bent(const glm::dvec2& at_px, const Moved (&grid)[3][3], double reach)
+{
+    const auto to = [&](int x, int y) { return grid[y + 1][x + 1].to_px; };
+    const double square = reach * reach;
+    SeenTwice seen{.before = at_px, .after = to(0, 0)};
+    seen.right = (to(1, 0) - to(-1, 0)) / (2.0 * reach);
+    seen.down = (to(0, 1) - to(0, -1)) / (2.0 * reach);
+    seen.bend_right = (to(1, 0) + to(-1, 0) - 2.0 * to(0, 0)) / (2.0 * square);
+    seen.bend_down = (to(0, 1) + to(0, -1) - 2.0 * to(0, 0)) / (2.0 * square);
+    seen.bend_both = (to(1, 1) - to(-1, 1) - to(1, -1) + to(-1, -1)) / (4.0 * square);
+    return seen;
+}
 
 }  // namespace
 
@@ -86,33 +111,40 @@ SurfaceMotion::~SurfaceMotion() = default;
 std::optional<SeenTwice> SurfaceMotion::seen_twice(const Camera& before, const Camera& after, glm::ivec2 size_px,
                                                    const glm::dvec2& at_px) const
 {
-    const Sight sight(before, size_px);
-    const Sight next(after, size_px);
-    const std::optional<Hit> middle = state_->hit(sight.eye, sight.ray(at_px));
-    if (!middle) return {};
+    const Sight sight(before, size_px), next(after, size_px);
+    const auto followed = [&](double i, double j) -> std::optional<Moved> {
+        const std::optional<Hit> hit = state_->hit(sight.eye, sight.ray(at_px + glm::dvec2(i, j)));
+        if (!hit) return {};
+        const glm::dvec2 to_px = next.project(hit->place);
+        if (to_px.x < 1.0 || to_px.y < 1.0 || to_px.x > size_px.x - 1.0 || to_px.y > size_px.y - 1.0) return {};
+        const std::optional<Hit> again = state_->hit(next.eye, glm::normalize(hit->place - next.eye));
+        const double allowed = kPlaneShare * glm::distance(hit->place, sight.eye);
+        if (!again || glm::distance(again->place, hit->place) > allowed) return {};
+        return Moved{to_px, *hit};
+    };
     const double reach = kCoherenceReach + 1.0;
-    const double allowed = kPlaneShare * glm::distance(middle->place, sight.eye);
-    const auto on_plane = [&](const glm::dvec3& place) {
-        return std::abs(glm::dot(place - middle->place, middle->normal)) <= allowed;
-    };
-    for (const glm::dvec2& step :
-         {glm::dvec2(0, 0), glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1),
-          glm::dvec2(0, 1), glm::dvec2(0, -1), glm::dvec2(1, 0), glm::dvec2(-1, 0)}) {
-        const std::optional<Hit> there = state_->hit(sight.eye, sight.ray(at_px + reach * step));
-        if (!there || !on_plane(there->place) || std::abs(glm::dot(there->normal, middle->normal)) < kFlatCosine)
-            return {};
-        const glm::dvec2 moved = next.project(there->place);
-        if (moved.x < 1.0 || moved.y < 1.0 || moved.x > size_px.x - 1.0 || moved.y > size_px.y - 1.0) return {};
-        const std::optional<Hit> again = state_->hit(next.eye, glm::normalize(there->place - next.eye));
-        if (!again || glm::distance(again->place, there->place) > allowed) return {};
+    Moved grid[3][3];
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 3; ++x) {
+            const auto place = followed((x - 1) * reach, (y - 1) * reach);
+            if (!place) return {};
+            grid[y][x] = *place;
+        }
+    SeenTwice seen = bent(at_px, grid, reach);
+    const Hit& middle = grid[1][1].hit;
+    const double allowed = kPlaneShare * glm::distance(middle.place, sight.eye);
+    for (const auto& row : grid)
+        for (const Moved& place : row) {
+            const double cosine = std::abs(glm::dot(place.hit.normal, middle.normal));
+            if (cosine < kSmoothCosine) return {};
+            const double off = std::abs(glm::dot(place.hit.place - middle.place, middle.normal));
+            seen.is_curved = seen.is_curved || cosine < kFlatCosine || off > allowed;
+        }
+    for (const auto& [i, j] : kBetween) {
+        const auto place = followed(i * reach, j * reach);
+        if (!place || glm::distance(place->to_px, seen.moved(i * reach, j * reach)) > kUnsure_px) return {};
     }
-    const auto moved = [&](const glm::dvec2& step) {
-        const glm::dvec3 way = sight.ray(at_px + step);
-        const double distance = glm::dot(middle->place - sight.eye, middle->normal) / glm::dot(way, middle->normal);
-        return next.project(sight.eye + distance * way);
-    };
-    const glm::dvec2 place = moved({0.0, 0.0});
-    return SeenTwice{at_px, place, moved({1.0, 0.0}) - place, moved({0.0, 1.0}) - place};
+    return seen;
 }
 
 }  // namespace hw

@@ -21,6 +21,7 @@ std::vector<ObjectPens> all_in(const Scene& scene, const NamedStyle& style)
 ExactLines::ExactLines(const std::filesystem::path& file, const NamedStyle& style)
     : level_(read_level_with(file, {})), world_(open_world(level_)), lines_(world_->scene, all_in(world_->scene, style))
 {
+    prepare_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 std::vector<CameraPlace> ExactLines::cameras(int count, double aspect) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -19,6 +20,9 @@ class ExactLines {
     const LevelWorld& world() const { return *world_; }
     const Scene& scene() const { return world_->scene; }
 
+    /// What it took to make adjacency, edge table, seams and intersections of the imported scene.
+    double prepare_s() const { return prepare_s_; }
+
     /// The level's cameras, `count` at most; else so many places around the scene.
     std::vector<CameraPlace> cameras(int count, double aspect) const;
 
@@ -31,7 +35,9 @@ class ExactLines {
  private:
     Level level_;
     std::shared_ptr<const LevelWorld> world_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();  // between its neighbours
     LevelLines lines_;
+    double prepare_s_ = 0.0;
 };
 
 }  // namespace hw

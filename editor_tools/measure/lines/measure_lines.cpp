@@ -15,6 +15,7 @@
 #include "hatchway/render/renderer.hpp"
 #include "measure/lines/exact_lines.hpp"
 #include "measure/lines/line_error.hpp"
+#include "measure/lines/line_style.hpp"
 #include "measure/measures.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
@@ -22,10 +23,6 @@
 
 namespace hw {
 namespace {
-
-constexpr double kCreaseDeg = 40.0;     // of the style pen_and_ink
-constexpr double kCreaseWidthPx = 1.2;  // and its widths
-constexpr double kContourWidthPx = 1.9;
 
 struct LinesMeasureArguments {
     std::vector<std::filesystem::path> files;
@@ -62,23 +59,11 @@ const char* name_of(LinePath path)
     return path == LinePath::quads ? "quads" : "GL_LINES";
 }
 
-/// Pen and ink without hatching, in black on white.
-std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& renderer)
+/// line_style() made ready to draw.
+std::unique_ptr<Style> drawing_style(const PluginRegistry& plugins, Renderer& renderer)
 {
-    const StyleSource source{"measure lines", ""};
-    const Plugin& plugin = require_plugin(plugins, "pen_and_ink", PluginKind::style, source);
-    ParamSettings params;
-    const auto set = [&](const char* name, ParamValue value) { params[name] = {std::move(value), name}; };
-    set("tone", std::string("none"));
-    set("ink_colour", std::string("#000000"));
-    set("paper_colour", std::string("#ffffff"));
-    set("ink_map_strength", 0.0);
-    set("crease_deg", kCreaseDeg);
-    set("crease_colour", std::string("#000000"));
-    for (const char* name : {"line_width_px", "valley_width_px", "intersection_width_px"}) set(name, kCreaseWidthPx);
-    for (const char* name : {"silhouette_width_px", "border_width_px"}) set(name, kContourWidthPx);
-    auto style = make_style(plugin, params, source);
-    style->prepare(renderer.program_cache(plugin.shader_folder));
+    auto style = line_style(plugins, "measure lines");
+    style->prepare(renderer.program_cache(plugins.find("pen_and_ink", PluginKind::style)->shader_folder));
     return style;
 }
 
@@ -86,7 +71,7 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, Renderer& rende
 class MeasuredScene {
  public:
     MeasuredScene(const std::filesystem::path& file, const PluginRegistry& plugins, Renderer& renderer)
-        : renderer_(renderer), style_(line_style(plugins, renderer)), exact_(file, {"lines", style_.get()})
+        : renderer_(renderer), style_(drawing_style(plugins, renderer)), exact_(file, {"lines", style_.get()})
     {
         SceneInput input;
         input.scene = &scene();

@@ -26,15 +26,14 @@ std::uint64_t misclassified(const BspTree& tree, std::uint64_t points)
     return wrong;
 }
 
-double relative_area_error(const Structure& structure, const BspBuild& build)
+double relative_area_error(double area_m2, const BspBuild& build)
 {
-    if (structure.area_m2 <= 0.0) return 0.0;
+    if (area_m2 <= 0.0) return 0.0;
     double sum = 0.0;
     for (const auto& pieces : build.polygons_of_node) {
         for (const BlockingPolygon& piece : pieces) sum += area(piece.polygon);
     }
-    const double area_m2 = sum * build.tree.grid.step_m * build.tree.grid.step_m;
-    return std::abs(area_m2 / structure.area_m2 - 1.0);
+    return std::abs(sum * build.tree.grid.step_m * build.tree.grid.step_m / area_m2 - 1.0);
 }
 
 }  // namespace hw::measure

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "hatchway/world/visibility/tree/structure.hpp"
+#include "hatchway/world/visibility/tree/bsp.hpp"
 
 namespace hw::measure {
 
@@ -11,7 +11,7 @@ namespace hw::measure {
 /// those that a careless test gets wrong.
 std::uint64_t misclassified(const BspTree& tree, std::uint64_t points);
 
-/// How far the area of the tree's pieces is from that of the polygons it was made from, as a share of the latter.
-double relative_area_error(const Structure& structure, const BspBuild& build);
+/// How far the area of the tree's pieces is from `area_m2`, that of the polygons it was made from, as a share of it.
+double relative_area_error(double area_m2, const BspBuild& build);
 
 }  // namespace hw::measure

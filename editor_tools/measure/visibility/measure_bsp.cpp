@@ -1,5 +1,5 @@
-// What the tree costs, and whether it tells the truth: every point must be where exact arithmetic on the stored planes
-// puts it, and the pieces must cover what the snapped polygons covered.
+// What the tree of a level costs, and whether it tells the truth: every point must be where exact arithmetic on the
+// stored planes puts it, and the pieces must cover what the snapped polygons covered.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -8,6 +8,7 @@
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
+#include "hatchway/world/visibility/visibility.hpp"
 #include "measure/measures.hpp"
 #include "measure/visibility/bsp_measure.hpp"
 #include "program/arguments.hpp"
@@ -28,16 +29,16 @@ JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
     const Level level = read_level(file);
     const Scene scene = import_model(level.scene_file, level.project_root);
     const auto start = std::chrono::steady_clock::now();
-    Structure structure = choose_structure(scene, level, {});
-    const BspBuild build =
-        build_bsp(structure.grid, structure.planes, structure.polygons, structure.box_min, structure.box_max);
+    VisibilityStats stats;
+    double area_m2 = 0.0;
+    const BspBuild build = build_sight_tree(scene, level, {}, stats, area_m2);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     JsonValue row = JsonValue::object();
     row.set("file", file.filename().string()).set("seconds", seconds);
-    row.set("polygons", static_cast<std::uint64_t>(structure.polygons.size())).set("pieces", build.piece_count);
+    row.set("polygons", stats.structure_polygons + stats.detail_polygons).set("pieces", build.piece_count);
     row.set("leaves", build.tree.leaf_count).set("depth", build.depth);
     row.set("points", points).set("misclassified", measure::misclassified(build.tree, points));
-    row.set("relative_area_error", measure::relative_area_error(structure, build));
+    row.set("relative_area_error", measure::relative_area_error(area_m2, build));
     return row;
 }
 

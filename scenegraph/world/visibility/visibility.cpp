@@ -140,28 +140,6 @@ void note_coarse(const PvsResult& pvs, const PortalGraph& graph, const BspTree& 
         tree.bounds_world, stats);
 }
 
-BspBuild build_tree(const Scene& scene, const Level& level, const VisibilityOptions& options, VisibilityStats& stats)
-{
-    StructureOptions structure_options;
-    structure_options.max_structure = options.max_structure_polygons;
-    structure_options.max_details = options.max_detail_polygons;
-    structure_options.least_area_share = options.least_area_share;
-    Structure structure = choose_structure(scene, level, structure_options);
-    stats.structure_polygons = structure.structure_count;
-    stats.detail_polygons = static_cast<int>(structure.polygons.size()) - structure.structure_count;
-    note_demoted(structure, options, scene.bounds_world, stats);
-    const std::size_t polygon_count = structure.polygons.size();
-    BspBuild build = build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons),
-                               structure.box_min, structure.box_max, longest_cell_m(scene, structure.grid, options));
-    if (build.left_out > 0)
-        stats.shortfalls.push_back(
-            {fmt::format(
-                 "{} of {} polygons block no sight: their planes part space into more cells than there is room for",
-                 build.left_out, polygon_count),
-             scene.bounds_world});
-    return build;
-}
-
 /// The union of the rows (of clusters or of slots) that an eye needs; empty where it sees everything.
 std::vector<std::uint64_t> union_of_rows(const Visibility& visibility, const LeafRows& rows,
                                          const glm::dvec3& eye_world, double radius_m)
@@ -192,6 +170,30 @@ void number_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh
     }
 }
 
+BspBuild build_sight_tree(const Scene& scene, const Level& level, const VisibilityOptions& options,
+                          VisibilityStats& stats, double& area_m2)
+{
+    StructureOptions structure_options;
+    structure_options.max_structure = options.max_structure_polygons;
+    structure_options.max_details = options.max_detail_polygons;
+    structure_options.least_area_share = options.least_area_share;
+    Structure structure = choose_structure(scene, level, structure_options);
+    area_m2 = structure.area_m2;
+    stats.structure_polygons = structure.structure_count;
+    stats.detail_polygons = static_cast<int>(structure.polygons.size()) - structure.structure_count;
+    note_demoted(structure, options, scene.bounds_world, stats);
+    const std::size_t polygon_count = structure.polygons.size();
+    BspBuild build = build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons),
+                               structure.box_min, structure.box_max, longest_cell_m(scene, structure.grid, options));
+    if (build.left_out > 0)
+        stats.shortfalls.push_back(
+            {fmt::format(
+                 "{} of {} polygons block no sight: their planes part space into more cells than there is room for",
+                 build.left_out, polygon_count),
+             scene.bounds_world});
+    return build;
+}
+
 Visibility build_visibility(const Scene& scene, const Level& level, std::span<const MeshChunks> chunks_of_mesh,
                             const VisibilityOptions& options)
 {
@@ -199,7 +201,8 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
     const auto tell = [&](double share) { return options.progress ? options.progress(share) : void(); };
     Visibility visibility;
     number_slots(scene, chunks_of_mesh, visibility);
-    BspBuild build = build_tree(scene, level, options, visibility.stats);
+    double area_m2 = 0.0;
+    BspBuild build = build_sight_tree(scene, level, options, visibility.stats, area_m2);
     tell(0.1);
     const std::vector<LeafContact> contacts = leaf_contacts(build);
     tell(0.2);

@@ -58,6 +58,11 @@ struct Visibility {
 /// mesh.
 void number_slots(const Scene& scene, std::span<const MeshChunks> chunks_of_mesh, Visibility& visibility);
 
+/// The tree that build_visibility() begins with, with the pieces of its polygons, to be measured. `area_m2` becomes the
+/// area of the polygons.
+BspBuild build_sight_tree(const Scene& scene, const Level& level, const VisibilityOptions& options,
+                          VisibilityStats& stats, double& area_m2);
+
 /// Compiles the visibility of a scene.
 ///
 /// Structure is what Level::structure names, else what lies in the largest planes; see choose_structure(). Only opaque

@@ -1,13 +1,31 @@
-#include "tests/bench/naive_flow.hpp"
+#include "measure/visibility/naive_flow.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <glm/geometric.hpp>
 
-namespace hw::bench {
+namespace hw::measure {
 namespace {
 
 using Points = std::vector<glm::dvec3>;
-using Bits = std::vector<bool>;
+using Bits = std::vector<std::uint64_t>;  // 64 leaves a word
+
+bool holds(const Bits& bits, std::size_t i)
+{
+    return (bits[i / 64] >> (i % 64) & 1u) != 0;
+}
+
+void set(Bits& bits, std::size_t i)
+{
+    bits[i / 64] |= std::uint64_t{1} << (i % 64);
+}
+
+std::size_t count(const Bits& bits)
+{
+    std::size_t sum = 0;
+    for (const std::uint64_t word : bits) sum += static_cast<std::size_t>(std::popcount(word));
+    return sum;
+}
 
 struct HalfSpace {
     glm::dvec3 normal{0.0};
@@ -89,6 +107,7 @@ class NaiveFlow {
  public:
     NaiveFlow(const PortalGraph& graph, double tolerance)
         : leaf_count_(static_cast<std::size_t>(graph.leaf_count)),
+          word_count_((leaf_count_ + 63) / 64),
           tolerance_(tolerance),
           out_of_(leaf_count_),
           is_on_way_(graph.portals.size())
@@ -107,13 +126,11 @@ class NaiveFlow {
             const auto& out = out_of_[static_cast<std::size_t>(leaf)];
             order.insert(order.end(), out.begin(), out.end());
         }
-        const auto size = [&](std::size_t i) {
-            return std::count(openings_[i].may_see.begin(), openings_[i].may_see.end(), true);
-        };
+        const auto size = [&](std::size_t i) { return count(openings_[i].may_see); };
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
         for (const std::size_t number : order) {
             source_ = &openings_[number];
-            source_->sees.assign(leaf_count_, false);
+            source_->sees.assign(word_count_, 0);
             go_on(source_->to_leaf, source_->points, {}, {}, source_->may_see);
             source_->is_done = true;
         }
@@ -124,9 +141,8 @@ class NaiveFlow {
         rows.show(leaf, leaf);
         for (const std::size_t number : out_of_[static_cast<std::size_t>(leaf)]) {
             const Bits& sees = openings_[number].sees;
-            for (std::size_t i = 0; i < sees.size(); ++i) {
-                if (sees[i]) rows.show(leaf, static_cast<int>(i));
-            }
+            for (std::size_t i = 0; i < leaf_count_ && !sees.empty(); ++i)
+                if (holds(sees, i)) rows.show(leaf, static_cast<int>(i));
         }
     }
 
@@ -142,16 +158,17 @@ class NaiveFlow {
 
     void flood(Opening& source)
     {
-        source.may_see.assign(leaf_count_, false);
-        source.may_see[static_cast<std::size_t>(source.to_leaf)] = true;
+        source.may_see.assign(word_count_, 0);
+        set(source.may_see, static_cast<std::size_t>(source.to_leaf));
         std::vector<int> pending{source.to_leaf};
         while (!pending.empty()) {
             const auto leaf = static_cast<std::size_t>(pending.back());
             pending.pop_back();
             for (const std::size_t number : out_of_[leaf]) {
                 const Opening& opening = openings_[number];
-                if (source.may_see[static_cast<std::size_t>(opening.to_leaf)] || !may_follow(source, opening)) continue;
-                source.may_see[static_cast<std::size_t>(opening.to_leaf)] = true;
+                const auto to_leaf = static_cast<std::size_t>(opening.to_leaf);
+                if (holds(source.may_see, to_leaf) || !may_follow(source, opening)) continue;
+                set(source.may_see, to_leaf);
                 pending.push_back(opening.to_leaf);
             }
         }
@@ -159,18 +176,18 @@ class NaiveFlow {
 
     void go_on(int leaf, const Points& from, const Points& through, const HalfSpace& through_plane, const Bits& may_see)
     {
-        source_->sees[static_cast<std::size_t>(leaf)] = true;
+        set(source_->sees, static_cast<std::size_t>(leaf));
         for (const std::size_t number : out_of_[static_cast<std::size_t>(leaf)]) {
             const Opening& opening = openings_[number];
-            if (!may_see[static_cast<std::size_t>(opening.to_leaf)] || is_on_way_[number]) continue;
+            if (!holds(may_see, static_cast<std::size_t>(opening.to_leaf)) || is_on_way_[number]) continue;
             const Bits& behind = opening.is_done ? opening.sees : opening.may_see;
-            Bits left(leaf_count_);
-            bool has_news = false;
-            for (std::size_t i = 0; i < leaf_count_; ++i) {
-                left[i] = may_see[i] && behind[i];
-                has_news |= left[i] && !source_->sees[i];
+            Bits left(word_count_);
+            std::uint64_t news = 0;
+            for (std::size_t i = 0; i < word_count_; ++i) {
+                left[i] = may_see[i] & behind[i];
+                news |= left[i] & ~source_->sees[i];
             }
-            if (!has_news) continue;
+            if (news == 0) continue;
             Points target = kept(opening.points, source_->ahead, tolerance_);
             Points source = kept(from, opening.ahead.turned(), tolerance_);
             if (!through.empty() && !target.empty()) target = kept(target, through_plane, tolerance_);
@@ -188,10 +205,11 @@ class NaiveFlow {
     }
 
     std::size_t leaf_count_;
+    std::size_t word_count_;
     double tolerance_;
     std::vector<Opening> openings_;
     std::vector<std::vector<std::size_t>> out_of_;
-    Bits is_on_way_;
+    std::vector<char> is_on_way_;
     Opening* source_ = nullptr;
 };
 
@@ -206,4 +224,4 @@ LeafRows naive_flow(const PortalGraph& graph, const std::vector<int>& from_leave
     return rows;
 }
 
-}  // namespace hw::bench
+}  // namespace hw::measure

@@ -1,0 +1,130 @@
+// The exact visible lines against brute force: a ray for every pixel of every edge. What the far policy thins away is
+// told beside what is missed. And what they cost, from a scene as it was imported and from one made ready.
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "hatchway/core/plain_text.hpp"
+#include "hatchway/core/progress.hpp"
+#include "hatchway/io/json/out.hpp"
+#include "hatchway/render/view/line_camera.hpp"
+#include "measure/lines/exact_lines.hpp"
+#include "measure/lines/line_style.hpp"
+#include "measure/lines/ray_judge.hpp"
+#include "measure/measures.hpp"
+#include "program/arguments.hpp"
+#include "program/option_rules.hpp"
+#include "program/output_files.hpp"
+
+namespace hw {
+namespace {
+
+constexpr double kFaintestPx = 0.25;  // what is thinner leaves too little ink to count as drawn
+
+struct VisibleLinesArguments {
+    std::vector<std::filesystem::path> files;
+    int views = 4;
+    std::string size = "1400x900";
+    std::filesystem::path json;
+};
+
+struct Row {
+    std::string model;
+    int views = 0;
+    double prepare_s = 0.0;
+    double warm_s = 0.0;  ///< Of a view, mean.
+    RayVerdict verdict;
+
+    double share_of_visible(double px) const { return verdict.visible_px > 0.0 ? px / verdict.visible_px : 0.0; }
+    double extra() const { return verdict.found_px > 0.0 ? verdict.extra_px / verdict.found_px : 0.0; }
+};
+
+JudgedLine judged(std::vector<glm::dvec2> points_px, bool is_closed, bool is_intersection)
+{
+    if (is_closed) points_px.push_back(points_px.front());
+    return {std::move(points_px), is_intersection};
+}
+
+void judge_view(ExactLines& lines, const RayJudge& judge, const CameraPlace& camera, glm::ivec2 size, Row& row)
+{
+    std::vector<JudgedLine> found, drawn;
+    double seconds = 0.0;
+    for (const VisibleLine& line : lines.find(camera, size, &seconds))
+        found.push_back(judged(line.points_px, line.is_closed, line.line_class == LineClass::intersection));
+    for (const VectorLine& line : lines.drawn(camera, size))
+        if (line.width_px >= kFaintestPx) drawn.push_back(judged(line.points_px, line.is_closed, false));
+    const LineCamera place = line_camera(camera, camera_view(camera, size, lines.scene().bounds_world));
+    row.verdict.add(
+        judge.judge({place.eye_world, place.target_world, place.fov_rad, place.size_px, place.near_m}, found, drawn));
+    row.warm_s += seconds / row.views;
+}
+
+Row measure_file(const std::filesystem::path& file, const VisibleLinesArguments& arguments,
+                 const PluginRegistry& plugins)
+{
+    const glm::ivec2 size = parse_size(arguments.size);
+    const std::unique_ptr<Style> style = line_style(plugins, "measure visible-lines");
+    ExactLines lines(file, {"lines", style.get()});
+    const auto cameras = lines.cameras(arguments.views, static_cast<double>(size.x) / size.y);
+    Row row{.model = file.stem().string(), .views = static_cast<int>(cameras.size()), .verdict = {}};
+    row.prepare_s = lines.prepare_s();
+    const RayJudge judge(lines.scene(), glm::radians(kMeasuredCreaseDeg));
+    for (const CameraPlace& camera : cameras) judge_view(lines, judge, camera, size, row);
+    return row;
+}
+
+JsonValue row_json(const Row& row)
+{
+    const RayVerdict& v = row.verdict;
+    JsonValue json = JsonValue::object();
+    json.set("model", row.model).set("views", row.views);
+    json.set("prepare_s", row.prepare_s).set("warm_s", row.warm_s).set("cold_s", row.prepare_s + row.warm_s);
+    json.set("candidates_px", v.candidates_px).set("visible_px", v.visible_px).set("found_px", v.found_px);
+    json.set("missed", row.share_of_visible(v.missed_px)).set("thinned", row.share_of_visible(v.thinned_px));
+    json.set("extra", row.extra()).set("unjudged_px", v.unjudged_px).set("rays", v.rays);
+    return json;
+}
+
+std::string row_text(const Row& row)
+{
+    return fmt::format(
+        "{:<24} visible {:>8.0f} px  missed {:6.3f} %  thinned {:6.2f} %  extra {:6.3f} %  not judged {:>7.0f} px  "
+        "prepare {:>7.1f} ms  view {:>6.1f} ms\n",
+        row.model, row.verdict.visible_px, 100.0 * row.share_of_visible(row.verdict.missed_px),
+        100.0 * row.share_of_visible(row.verdict.thinned_px), 100.0 * row.extra(), row.verdict.unjudged_px,
+        1000.0 * row.prepare_s, 1000.0 * row.warm_s);
+}
+
+void measure_visible_lines(const VisibleLinesArguments& arguments)
+{
+    require_outputs({{"--json", arguments.json}}, arguments.files);
+    const PluginRegistry plugins;
+    Progress progress("Measuring visible lines", arguments.files.size());
+    JsonValue rows = JsonValue::array();
+    for (const auto& file : arguments.files) {
+        const Row row = measure_file(file, arguments, plugins);
+        print_lines(row_text(row));
+        rows.push(row_json(row));
+        progress.advance();
+    }
+    if (!arguments.json.empty())
+        write_json(arguments.json, JsonValue::object().set("size", arguments.size).set("rows", std::move(rows)));
+}
+
+}  // namespace
+
+void add_measure_visible_lines(CommandLine measure)
+{
+    auto arguments = std::make_shared<VisibleLinesArguments>();
+    CommandLine command =
+        measure.add_subcommand("visible-lines", "The exact visible lines against rays, and their cost");
+    command.add_option("FILES", arguments->files, "Levels or models").required().option_text("MODEL|LEVEL...");
+    command.add_option("--views", arguments->views, "Views of each: its cameras, else around it; 4")
+        .option_text("N")
+        .check(whole_number_in(1, 1'000));
+    command.add_option("--size", arguments->size, "Size of the picture, 1400x900").option_text("WxH");
+    add_json_argument(command, arguments->json);
+    command.callback([arguments] { measure_visible_lines(*arguments); });
+}
+
+}  // namespace hw

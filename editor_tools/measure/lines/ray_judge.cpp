@@ -1,0 +1,305 @@
+#include "measure/lines/ray_judge.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <optional>
+
+namespace hw {
+namespace {
+
+constexpr double kStep_px = 1.0;
+constexpr double kReach_px = 1.5;
+constexpr double kSeen = 1.0 - 1e-4;    // of the way to the edge: free so far, it is seen
+constexpr double kHidden = 1.0 - 1e-3;  // blocked before, it is hidden
+constexpr double kBeside_px = 2.0;      // where rays ask whether the surface runs straight on
+constexpr double kStraightCosine = 0.9998;
+constexpr double kStraightShare = 1e-3;  // off the plane, of the distance
+
+/// The pinhole, eye-relative.
+struct Pinhole {
+    explicit Pinhole(const JudgeCamera& camera) : size_px(camera.size_px), near_m(camera.near_m)
+    {
+        forward = glm::normalize(camera.target_world - camera.eye_world);
+        right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
+        up = glm::cross(right, forward);
+        focal_px = 0.5 * size_px.y / std::tan(0.5 * camera.fov_rad);
+    }
+    double depth(const glm::dvec3& way) const { return glm::dot(way, forward); }
+    glm::dvec2 project(const glm::dvec3& way) const
+    {
+        return 0.5 * glm::dvec2(size_px) + focal_px / depth(way) * glm::dvec2(glm::dot(way, right), -glm::dot(way, up));
+    }
+    glm::dvec3 ray(const glm::dvec2& at_px) const
+    {
+        const glm::dvec2 off = at_px - 0.5 * glm::dvec2(size_px);
+        return glm::normalize(focal_px * forward + off.x * right - off.y * up);
+    }
+    bool holds(const glm::dvec2& p) const { return p.x >= 0.0 && p.y >= 0.0 && p.x < size_px.x && p.y < size_px.y; }
+
+    glm::dvec3 forward, right, up;
+    double focal_px;
+    glm::ivec2 size_px;
+    double near_m;
+};
+
+/// Pixels within the reach of something.
+class Mask {
+ public:
+    explicit Mask(glm::ivec2 size) : size_(size), is_set_(static_cast<std::size_t>(size.x) * size.y) {}
+
+    void add(const glm::dvec2& p)
+    {
+        const glm::ivec2 low = glm::max(glm::ivec2(glm::floor(p - kReach_px)), glm::ivec2(0));
+        const glm::ivec2 high = glm::min(glm::ivec2(glm::floor(p + kReach_px)), size_ - 1);
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x)
+                if (glm::distance(p, glm::dvec2(x + 0.5, y + 0.5)) <= kReach_px) is_set_[index(x, y)] = true;
+    }
+    bool holds(const glm::dvec2& p) const
+    {
+        const glm::ivec2 at(glm::floor(p));
+        return at.x >= 0 && at.y >= 0 && at.x < size_.x && at.y < size_.y && is_set_[index(at.x, at.y)];
+    }
+
+ private:
+    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * size_.x + x; }
+
+    glm::ivec2 size_;
+    std::vector<bool> is_set_;
+};
+
+/// Calls `use(point, length)` along a polyline, step by step, for what is in the picture.
+template <typename Use>
+void walk(const JudgedLine& line, const Pinhole& pinhole, const Use& use)
+{
+    for (std::size_t i = 0; i + 1 < line.points_px.size(); ++i) {
+        const glm::dvec2 a = line.points_px[i], b = line.points_px[i + 1];
+        const double length = glm::distance(a, b);
+        const int count = 1 + static_cast<int>(length / kStep_px);
+        for (int k = 0; k < count; ++k) {
+            const glm::dvec2 p = glm::mix(a, b, (k + 0.5) / count);
+            if (pinhole.holds(p)) use(p, length / count);
+        }
+    }
+}
+
+struct Hit {
+    double share = 1.0;  ///< Of the ray's given length.
+    glm::dvec3 normal{0.0};
+};
+
+/// The triangles that hide something from one eye, around it.
+class Blockers {
+ public:
+    Blockers() : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {}
+    ~Blockers()
+    {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+    Blockers(const Blockers&) = delete;
+    Blockers& operator=(const Blockers&) = delete;
+
+    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+    {
+        for (const glm::dvec3& p : {a, b, c}) positions_.emplace_back(p);
+    }
+    void commit()
+    {
+        const std::size_t count = positions_.size() / 3;
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positions_.size()));
+        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
+        std::copy(positions_.begin(), positions_.end(), vertices);
+        for (std::uint32_t i = 0; i < 3 * count; ++i) indices[i] = i;
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        rtcCommitScene(scene_);
+    }
+
+    /// The first triangle on the way from the eye, not beyond `most` of it.
+    std::optional<Hit> first(const glm::dvec3& way, double most) const
+    {
+        ++rays;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRayHit ray{};
+        ray.ray.dir_x = static_cast<float>(way.x);
+        ray.ray.dir_y = static_cast<float>(way.y);
+        ray.ray.dir_z = static_cast<float>(way.z);
+        ray.ray.tfar = static_cast<float>(most);
+        ray.ray.mask = ~0u;
+        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_, &context, &ray);
+        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+        const glm::dvec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+        return Hit{ray.ray.tfar, glm::normalize(normal)};
+    }
+
+    mutable std::uint64_t rays = 0;
+
+ private:
+    std::vector<glm::vec3> positions_;
+    RTCDevice device_;
+    RTCScene scene_;
+};
+
+/// Whether the surface that is seen on both sides of an edge is one plane: no line is to be there.
+bool runs_straight_on(const Blockers& blockers, const Pinhole& pinhole, const glm::dvec2& at, const glm::dvec2& across)
+{
+    constexpr double kFar = 1e9;
+    const glm::dvec3 left_way = pinhole.ray(at - kBeside_px * across);
+    const glm::dvec3 right_way = pinhole.ray(at + kBeside_px * across);
+    const auto left = blockers.first(left_way, kFar), right = blockers.first(right_way, kFar);
+    if (!left || !right || std::abs(glm::dot(left->normal, right->normal)) < kStraightCosine) return false;
+    const glm::dvec3 step = right->share * right_way - left->share * left_way;
+    return std::abs(glm::dot(step, left->normal)) < kStraightShare * left->share;
+}
+
+}  // namespace
+
+void RayVerdict::add(const RayVerdict& other)
+{
+    candidates_px += other.candidates_px;
+    visible_px += other.visible_px;
+    missed_px += other.missed_px;
+    thinned_px += other.thinned_px;
+    found_px += other.found_px;
+    extra_px += other.extra_px;
+    unjudged_px += other.unjudged_px;
+    rays += other.rays;
+}
+
+RayJudge::RayJudge(const Scene& scene, double crease_rad)
+{
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) add_object(scene, id, crease_rad);
+}
+
+void RayJudge::add_object(const Scene& scene, ObjectId id, double crease_rad)
+{
+    const Object& object = scene.objects[id];
+    const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
+    const Material& material = scene.materials[static_cast<std::size_t>(object.material)];
+    const glm::dmat4& matrix = scene.world_from_object(id);
+    const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
+    const bool hides = material.alpha_mode != AlphaMode::blend;
+    using Place = std::array<float, 3>;
+    const auto place = [&](std::uint32_t index) {
+        const glm::vec3& p = mesh.positions[index];
+        return Place{p.x, p.y, p.z};
+    };
+    const auto in_world = [&](const Place& p) { return glm::dvec3(matrix * glm::dvec4(p[0], p[1], p[2], 1.0)); };
+    struct Side {
+        glm::dvec3 normal;
+        bool is_forward;
+    };
+    std::map<std::pair<Place, Place>, std::vector<Side>> sides;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::array<Place, 3> corners{place(mesh.indices[i]), place(mesh.indices[i + 1]),
+                                           place(mesh.indices[i + 2])};
+        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+        const glm::dvec3 a = in_world(corners[0]), b = in_world(corners[1]), c = in_world(corners[2]);
+        const glm::dvec3 normal = (is_mirrored ? -1.0 : 1.0) * glm::cross(b - a, c - a);
+        if (hides)
+            triangles_.push_back(is_mirrored ? Triangle{a, c, b, !material.is_double_sided}
+                                             : Triangle{a, b, c, !material.is_double_sided});
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Place &u = corners[k], &v = corners[(k + 1) % 3];
+            sides[std::minmax(u, v)].push_back({normal, u < v});
+        }
+    }
+    const double crease_cosine = std::cos(crease_rad);
+    for (const auto& [ends, around] : sides) {
+        Edge edge{.from = in_world(ends.first), .to = in_world(ends.second), .normals = {}};
+        edge.is_culled = !material.is_double_sided;
+        edge.is_sure = around.size() <= 2;
+        // Two faces that go along the edge the same way are wound against each other: one is turned over.
+        for (const Side& side : around)
+            edge.normals.push_back(
+                side.is_forward == around.front().is_forward && &side != &around.front() ? -side.normal : side.normal);
+        if (around.size() == 2) {
+            const double size = glm::length(edge.normals[0]) * glm::length(edge.normals[1]);
+            edge.is_crease = size > 0.0 && glm::dot(edge.normals[0], edge.normals[1]) < crease_cosine * size;
+            edge.is_sure = size > 0.0;
+        }
+        edges_.push_back(std::move(edge));
+    }
+}
+
+RayVerdict RayJudge::judge(const JudgeCamera& camera, std::span<const JudgedLine> found,
+                           std::span<const JudgedLine> drawn) const
+{
+    const Pinhole pinhole(camera);
+    Blockers blockers;
+    for (const Triangle& t : triangles_) {
+        const glm::dvec3 a = t.a - camera.eye_world, b = t.b - camera.eye_world, c = t.c - camera.eye_world;
+        if (!t.is_culled || glm::dot(glm::cross(b - a, c - a), a) < 0.0) blockers.add(a, b, c);
+    }
+    blockers.commit();
+    Mask is_found(camera.size_px), is_drawn(camera.size_px), may_be(camera.size_px);
+    for (const JudgedLine& line : found) walk(line, pinhole, [&](const auto& p, double) { is_found.add(p); });
+    for (const JudgedLine& line : drawn) walk(line, pinhole, [&](const auto& p, double) { is_drawn.add(p); });
+
+    RayVerdict verdict;
+    const auto judge_sample = [&](const Edge& edge, const glm::dvec3& way, const glm::dvec2& at,
+                                  const glm::dvec2& across, double length) {
+        verdict.candidates_px += length;
+        const auto before = blockers.first(way, kSeen);
+        if (before && before->share < kHidden) return;
+        may_be.add(at);
+        if (before || !edge.is_sure || runs_straight_on(blockers, pinhole, at, across)) return;
+        verdict.visible_px += length;
+        if (!is_found.holds(at))
+            verdict.missed_px += length;
+        else if (!is_drawn.holds(at))
+            verdict.thinned_px += length;
+    };
+    for (const Edge& edge : edges_) {
+        glm::dvec3 from = edge.from - camera.eye_world, to = edge.to - camera.eye_world;
+        const auto faces = [&](const glm::dvec3& normal) { return glm::dot(normal, from) < 0.0; };
+        const auto front = std::count_if(edge.normals.begin(), edge.normals.end(), faces);
+        const auto all = static_cast<std::ptrdiff_t>(edge.normals.size());
+        const bool is_contour = all != 2 || (front != 0 && front != all);
+        if ((!edge.is_crease && !is_contour) || (edge.is_culled && front == 0)) continue;
+        const double near_from = pinhole.depth(from) - camera.near_m, near_to = pinhole.depth(to) - camera.near_m;
+        if (near_from <= 0.0 && near_to <= 0.0) continue;
+        if (near_from < 0.0) from = glm::mix(to, from, near_to / (near_to - near_from));
+        if (near_to < 0.0) to = glm::mix(from, to, near_from / (near_from - near_to));
+        const glm::dvec2 a = pinhole.project(from), b = pinhole.project(to);
+        const double length = glm::distance(a, b);
+        if (!(length > 0.0) || length > 1e6) continue;
+        const glm::dvec2 across = glm::dvec2(a.y - b.y, b.x - a.x) / length;
+        const int count = 1 + static_cast<int>(length / kStep_px);
+        for (int k = 0; k < count; ++k) {
+            const double t = (k + 0.5) / count;
+            const glm::dvec2 at = glm::mix(a, b, t);
+            if (!pinhole.holds(at)) continue;
+            // Even steps in the picture are none on the edge.
+            const double share = t * pinhole.depth(from) / glm::mix(pinhole.depth(to), pinhole.depth(from), t);
+            judge_sample(edge, glm::mix(from, to, share), at, across, length / count);
+        }
+    }
+    for (const JudgedLine& line : found)
+        walk(line, pinhole, [&](const glm::dvec2& p, double length) {
+            if (line.is_intersection) {
+                verdict.unjudged_px += length;
+                return;
+            }
+            verdict.found_px += length;
+            if (!may_be.holds(p)) verdict.extra_px += length;
+        });
+    verdict.rays = blockers.rays;
+    return verdict;
+}
+
+}  // namespace hw

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "hatchway/world/scene.hpp"
+
+namespace hw {
+
+/// A polyline of a drawing to be judged, pixels, origin top left, y down. A closed one repeats its first point.
+struct JudgedLine {
+    std::vector<glm::dvec2> points_px;
+    bool is_intersection = false;  ///< Where objects go through each other: no edge of a mesh lies there.
+};
+
+/// Lengths in pixels.
+struct RayVerdict {
+    double candidates_px = 0.0;  ///< Of all borders, creases and contours in the picture, hidden ones included.
+    double visible_px = 0.0;     ///< Of those, what rays reach and where the surface does not run straight on.
+    double missed_px = 0.0;      ///< Of that, without a found line within the reach.
+    double thinned_px = 0.0;     ///< Of that, found, but without a drawn line within the reach: left out by the style.
+    double found_px = 0.0;       ///< Of the found lines, without those where objects go through each other.
+    double extra_px = 0.0;       ///< Of that, without an edge within the reach that rays reach or nearly reach.
+    double unjudged_px = 0.0;    ///< Where objects go through each other.
+    std::uint64_t rays = 0;
+
+    void add(const RayVerdict& other);
+};
+
+/// Where the judge looks from: a pinhole with +y up.
+struct JudgeCamera {
+    glm::dvec3 eye_world{0.0};
+    glm::dvec3 target_world{0.0, 0.0, -1.0};
+    double fov_rad = 1.0;  ///< Vertical.
+    glm::ivec2 size_px{1280, 720};
+    double near_m = 0.01;
+};
+
+/// Judges visible lines by brute force: every edge of every object that is a border, a crease or a contour from the eye
+/// is walked pixel by pixel, and a ray decides about each. Nothing of geometry/lines, geometry/surface or
+/// geometry/silhouettes is used. Distances are compared to a thousandth of themselves: what lies between "surely seen"
+/// and "surely hidden" is neither missed nor extra. Two lines within the reach of 1.5 px are one for it, so in crowds
+/// of lines it sees less than where they stand alone.
+class RayJudge {
+ public:
+    /// All objects of a scene wear lines of one crease angle. The scene must outlive this.
+    RayJudge(const Scene& scene, double crease_rad);
+
+    /// `found`: the visible lines. `drawn`: those of them that a style draws, at least a quarter of a pixel wide.
+    RayVerdict judge(const JudgeCamera& camera, std::span<const JudgedLine> found,
+                     std::span<const JudgedLine> drawn) const;
+
+ private:
+    /// An edge of an object's mesh in world space. Faces on it by their normals, not of unit length, as they are wound.
+    struct Edge {
+        glm::dvec3 from{0.0};
+        glm::dvec3 to{0.0};
+        std::vector<glm::dvec3> normals;
+        bool is_crease = false;
+        bool is_sure = true;  ///< False: more than two faces meet, or one has no area.
+        bool is_culled = false;
+    };
+    struct Triangle {
+        glm::dvec3 a{0.0}, b{0.0}, c{0.0};
+        bool is_culled = false;
+    };
+
+    void add_object(const Scene& scene, ObjectId id, double crease_rad);
+
+    std::vector<Edge> edges_;
+    std::vector<Triangle> triangles_;
+};
+
+}  // namespace hw
