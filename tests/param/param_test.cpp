@@ -44,6 +44,60 @@ TEST(param_reader, a_value_out_of_range_names_file_pointer_and_range)
     EXPECT_FLOAT_EQ(width, 1.0f);
 }
 
+TEST(param_reader, a_whole_number_has_no_fraction_and_a_range)
+{
+    int count = 3;
+    const auto read = [&](hw::ParamValue value) {
+        const auto settings = one_setting("pens", std::move(value));
+        hw::ParamReader reader(settings, "a.json");
+        reader.whole({"pens", ""}, count, 1, 8);
+    };
+    read(8.0);
+    EXPECT_EQ(count, 8);
+    for (const hw::ParamValue& wrong : {hw::ParamValue(2.5), hw::ParamValue(9.0), hw::ParamValue(true)})
+        EXPECT_NE(refusal([&] { read(wrong); }).find("expected a whole number from 1 to 8"), std::string::npos);
+    EXPECT_EQ(count, 8);
+}
+
+TEST(param_reader, a_flag_is_true_or_false)
+{
+    bool flag = false;
+    const auto read = [&](hw::ParamValue value) {
+        const auto settings = one_setting("shadows", std::move(value));
+        hw::ParamReader reader(settings, "a.json");
+        reader.flag({"shadows", ""}, flag);
+    };
+    read(true);
+    EXPECT_TRUE(flag);
+    for (const hw::ParamValue& wrong : {hw::ParamValue(1.0), hw::ParamValue(std::string("true"))})
+        EXPECT_NE(refusal([&] { read(wrong); }).find("expected true or false"), std::string::npos);
+}
+
+TEST(param_reader, colours_and_maps_are_texts)
+{
+    glm::vec3 colour(0.0f);
+    hw::MapName map{"fine"};
+    const auto settings = hw::ParamSettings{{"ink_colour", {std::string("#ff8000"), "/styles/a/ink_colour"}},
+                                            {"hatch", {std::string("../maps/mine"), "/styles/a/hatch"}}};
+    hw::ParamReader reader(settings, "a.json");
+    reader.colour({"ink_colour", ""}, colour);
+    reader.map({"hatch", ""}, map, hw::MapKind::hatch);
+    EXPECT_FLOAT_EQ(colour.g, 128.0f / 255.0f);
+    EXPECT_EQ(map.value, "../maps/mine");
+    const auto wrong = one_setting("ink_colour", std::string("orange"));
+    hw::ParamReader refusing(wrong, "a.json");
+    EXPECT_NE(refusal([&] {
+                  refusing.colour({"ink_colour", ""}, colour);
+              }).find("ink_colour is \"orange\"; expected a colour such as \"#1a2b3c\""),
+              std::string::npos);
+    const auto number = one_setting("hatch", 3.0);
+    hw::ParamReader other(number, "a.json");
+    EXPECT_NE(refusal([&] {
+                  other.map({"hatch", ""}, map, hw::MapKind::hatch);
+              }).find("hatch is 3"),
+              std::string::npos);
+}
+
 TEST(param_reader, an_unknown_parameter_is_refused_with_the_names_that_exist)
 {
     float width = 1.0f;

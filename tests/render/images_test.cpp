@@ -330,48 +330,6 @@ TEST_F(images, one_is_shown_in_place_of_the_picture)
     EXPECT_THROW(draw(view, options), Error) << "it has no parameters";
 }
 
-/// Shows a texture of its own.
-class TexturedStyle final : public Style {
- public:
-    explicit TexturedStyle(std::string file) : file_(std::move(file)) {}
-    Needs needs() const override { return {}; }
-    void prepare(ProgramCache& programs) override
-    {
-        program_ = programs.surface("test_texture.frag");
-        texture = programs.texture(file_);
-    }
-    void surfaces(Pass& pass, Items items) override { pass.surfaces(program_, Uniforms().set("own", texture), items); }
-
-    Image texture;
-
- private:
-    std::string file_;
-    Program program_;
-};
-
-TEST_F(images, a_style_brings_textures_of_its_own)
-{
-    int reads = 0;
-    const auto read = [&](const fs::path& file) {
-        ++reads;
-        if (!fs::exists(file)) throw Error({.what = "no file " + file.string()});
-        return Pixels{.width = 1, .height = 1, .channels = 3, .bytes = {0, 255, 0}};
-    };
-    Renderer renderer(*context_, read);
-    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, Material{});
-    TexturedStyle style("test_show.frag");
-    style.prepare(renderer.program_cache(kShaders));
-    style.prepare(renderer.program_cache(kShaders));
-    EXPECT_EQ(reads, 1) << "each file once";
-    renderer.load({.scene = &scene_, .styles = {{"only", &style}}, .objects = {{.style = 0}}});
-    renderer.draw(view_from({0, 0, 4}, {0, 0, 0}), {});
-    EXPECT_EQ(renderer.read_picture().at(160, 120)[1], 255);
-    EXPECT_EQ(renderer.read_picture().at(160, 120)[0], 0);
-    for (const char* file : {"nothing.png", "../test_scenes.hpp", "", "/nothing/at/all.png"})
-        EXPECT_THROW(TexturedStyle(file).prepare(renderer.program_cache(kShaders)), Error) << file;
-    EXPECT_THROW(style.prepare(renderer_->program_cache(kShaders)), Error) << "a host without a reader";
-}
-
 TEST_F(images, a_saved_shader_shows_and_a_broken_one_keeps_the_last_good)
 {
     const TemporaryFolder temporary;

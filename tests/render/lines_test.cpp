@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <set>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/test_scenes.hpp"
@@ -364,15 +362,6 @@ TEST_F(lines, have_the_share_of_their_look_times_the_presence_of_the_level)
         << "a ramp of the style does not take the level's place";
 }
 
-TEST(line_look, has_a_pen_for_each_class)
-{
-    LineLook look;
-    look.all({.width_px = 2.0f})[LineClass::border] = {.width_px = 3.0f, .is_drawn = false};
-    EXPECT_EQ(look[LineClass::ridge].width_px, 2.0f);
-    EXPECT_EQ(look.pens[3].width_px, 3.0f);
-    EXPECT_FALSE(look[LineClass::border].is_drawn);
-}
-
 TEST_F(lines, adjacency_is_built_once_for_instances_and_for_ink_alone)
 {
     const ObjectId first = add_object(scene_, sphere_mesh(1.0f, 8), kHere, painted(glm::vec3(1.0f)));
@@ -494,80 +483,6 @@ TEST_F(lines, of_a_lesser_fold_are_thinner_when_folds_count)
     style_.look->fold_weight = 0.0f;
     load(style_);
     EXPECT_NEAR(right_angles / ink(draw_with(LinePath::quads, view)), 1.0, 0.01);
-}
-
-/// Draws lines by a pen of its own.
-class PenStyle final : public Style {
- public:
-    explicit PenStyle(std::string defines) : defines_(std::move(defines)) {}
-    Needs needs() const override
-    {
-        Needs needs;
-        needs.edges = EdgeNeed{};
-        return needs;
-    }
-    void prepare(ProgramCache& programs) override
-    {
-        faces_ = programs.surface("test_flat.frag");
-        pen_ = programs.line("test_pen.frag", defines_);
-    }
-    void surfaces(Pass& pass, Items items) override
-    {
-        pass.surfaces(faces_, Uniforms().set("flat_colour", glm::vec3(1.0f)), items);
-    }
-    void lines(Pass& pass, Items items) override
-    {
-        if (uses_wrong_program)
-            pass.lines(faces_, {}, look, items);
-        else
-            pass.lines(pen_, Uniforms().set("pen_colour", glm::vec3(1.0f, 0.0f, 0.0f)), look, items);
-    }
-
-    LineLook look;
-    bool uses_wrong_program = false;
-
- private:
-    std::string defines_;
-    Program faces_, pen_;
-};
-
-TEST_F(lines, a_pen_that_repeats_the_engines_draws_the_same_bytes)
-{
-    add_object(scene_, box_mesh(glm::vec3(1.0f)), glm::dmat4(1.0), painted(glm::vec3(1.0f)));
-    add_object(scene_, sphere_mesh(0.7f, 12), glm::translate(glm::dmat4(1.0), glm::dvec3(1.5, 0, 0)),
-               painted(glm::vec3(1.0f)));
-    LineLook look;
-    look.all({.width_px = 3.0f});
-    look.stroke = {.wobble_px = 1.0f, .overshoot_px = 5.0f, .taper_px = 8.0f, .dash_px = 20.0f};
-    TestStyle engine(glm::vec3(1.0f));
-    engine.look = look;
-    load(engine);
-    const View view = view_from({1.0, 1.5, 4}, {0.5, 0, 0});
-    const Pixels by_engine = draw(view);
-    EXPECT_GT(count_dark(by_engine), 200);
-    PenStyle pen("");
-    pen.look = look;
-    load(pen);
-    EXPECT_EQ(draw(view).bytes, by_engine.bytes);
-    EXPECT_EQ(draw(view, {.line_path = LinePath::native}).bytes, by_engine.bytes) << "GL_LINES know no pens";
-    pen.uses_wrong_program = true;
-    EXPECT_EQ(count_dark(draw(view)), 0) << "a program for faces draws no lines";
-}
-
-TEST_F(lines, a_pen_knows_class_and_place_of_its_line)
-{
-    // A sheet: four borders.
-    add_object(scene_, floor_mesh(2.0f), glm::dmat4(1.0), painted(glm::vec3(1.0f)));
-    PenStyle pen("#define PEN_IN_COLOUR 1\n");
-    pen.look.all({.width_px = 9.0f});
-    load(pen);
-    const Pixels pixels = draw(view_from({0, 4, 0.001}, {0, 0, 0}), {.samples = 1});
-    std::set<int> blues;
-    for (int x = 0; x < pixels.width; ++x) {
-        const std::uint8_t* at = pixels.at(x, 68);  // along the far border
-        if (at[0] == 255 && at[1] == 255 && at[2] < 250) blues.insert(at[2]);
-    }
-    EXPECT_GT(blues.size(), 40u) << "borders are of class 3, and their length grows along them";
 }
 
 }  // namespace

@@ -1,0 +1,88 @@
+// What docs/write_a_style.md promises of the images that styles share and of looking at one.
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/render/style/scripted_style.hpp"
+
+namespace hw::test {
+namespace {
+
+class shared_images : public RendererTest {
+ protected:
+    /// Whether a condition on the image `shown` holds, in a full-screen pass over all of it.
+    bool holds(const std::string& key, const std::string& sampler, const std::string& condition)
+    {
+        const Program judging = shaders_.full_screen("#include \"full_screen.glsl\"\nuniform highp " + sampler +
+                                                     " shown;\nvoid main() { hw_fragment = " + condition +
+                                                     " ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0); }\n");
+        const Program show = shaders_.surface(
+            "#include \"surface.glsl\"\nuniform sampler2D made;\nvoid main() { hw_surface();\n"
+            "hw_output(texture(made, gl_FragCoord.xy / hw_size_px).rgb, 1.0); }\n");
+        ScriptedStyle style;
+        Image made;
+        style.needed.images = {{key, {}}};
+        style.makes_images = [&](Pass& pass, Items) {
+            const Image image = pass.image({key, {}});
+            format_ = image.format;
+            made = pass.filter({}, judging, Uniforms().set("shown", image))[0];
+        };
+        style.draws_surfaces = [&](Pass& pass, Items items) {
+            pass.surfaces(show, Uniforms().set("made", made), items);
+        };
+        load(style);
+        return draw(view_from({0, 0, 4}, {0, 0, 0}), {.samples = 1}).at(160, 120)[1] == 255;
+    }
+    void add_box(double z, const Material& material)
+    {
+        add_object(scene_, box_mesh(glm::vec3(1.0f)), glm::translate(glm::dmat4(1.0), {0, 0, z}), material);
+    }
+
+    ShaderFolder shaders_{*renderer_};
+    PixelFormat format_ = PixelFormat::rg8;
+};
+
+TEST_F(shared_images, normal_depth_has_unit_normals_and_metres_along_the_view_and_is_0_where_nothing_is)
+{
+    add_box(0, painted(glm::vec3(1.0f)));
+    EXPECT_TRUE(
+        holds("normal_depth", "sampler2D", "distance(texture(shown, vec2(0.5)), vec4(0.0, 0.0, 1.0, 3.5)) < 1e-3"));
+    EXPECT_EQ(format_, PixelFormat::rgba32f);
+    EXPECT_TRUE(holds("normal_depth", "sampler2D", "abs(texture(shown, vec2(0.55, 0.58)).w - 3.5) < 1e-3"))
+        << "no distance from the eye";
+    EXPECT_TRUE(holds("normal_depth", "sampler2D", "texture(shown, vec2(0.01)) == vec4(0.0)"));
+}
+
+TEST_F(shared_images, ids_are_whole_numbers_from_1_on_of_what_is_opaque_or_masked)
+{
+    Material glass = painted(glm::vec3(1.0f)), hole = painted(glm::vec3(1.0f));
+    glass.alpha_mode = AlphaMode::blend;
+    hole.alpha_mode = AlphaMode::mask;
+    hole.base_colour.a = 0.1f;
+    add_box(1.2, glass);
+    add_box(1.5, hole);
+    add_box(0, painted(glm::vec3(1.0f)));
+    EXPECT_TRUE(holds("object_ids", "usampler2D", "texelFetch(shown, ivec2(160, 120), 0).r == 3u"));
+    EXPECT_EQ(format_, PixelFormat::r32ui);
+    EXPECT_TRUE(holds("object_ids", "usampler2D", "texelFetch(shown, ivec2(2), 0).r == 0u"));
+    EXPECT_TRUE(holds("triangle_ids", "usampler2D", "texelFetch(shown, ivec2(160, 120), 0).r > 24u"));
+    EXPECT_EQ(format_, PixelFormat::r32ui);
+}
+
+TEST_F(shared_images, are_looked_at_with_negative_values_as_positive_and_neighbouring_numbers_apart)
+{
+    for (const double z : {-0.6, 0.6}) add_box(z, painted(glm::vec3(1.0f)));
+    TestStyle style(glm::vec3(0.5f));
+    load(style);
+    FrameOptions options{.samples = 1};
+    options.shown_image = {"normal_depth", {}};
+    const View from_the_left = view_from({-4, 0, 0}, {0, 0, 0});
+    EXPECT_EQ(draw(from_the_left, options).at(150, 120)[0], 255) << "its normal is -x";
+    options.shown_image = {"object_ids", {}};
+    const Pixels ids = draw(from_the_left, options);
+    const auto apart = [&](int channel) { return std::abs(ids.at(140, 120)[channel] - ids.at(180, 120)[channel]); };
+    EXPECT_GT(apart(0) + apart(1) + apart(2), 60);
+}
+
+}  // namespace
+}  // namespace hw::test
