@@ -10,6 +10,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
 #include "hatchway/core/log.hpp"
+#include "hatchway/core/lower_snake.hpp"
 #include "hatchway/plugin_host/library_file.hpp"
 
 namespace hw {
@@ -70,8 +71,7 @@ Plugin described(const PluginEntry& entry, fs::path library, fs::path shader_fol
 
 bool is_plugin_name(std::string_view name)
 {
-    const auto is_allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && std::all_of(name.begin(), name.end(), is_allowed);
+    return is_lower_snake(name);
 }
 
 std::string plugin_refusal(const PluginEntry* entry, std::string_view file_name)

@@ -1,6 +1,7 @@
 #include "hatchway/io/gltf/accessor.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cstring>

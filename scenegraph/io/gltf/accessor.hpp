@@ -7,6 +7,10 @@
 
 #include "hatchway/io/gltf/model.hpp"
 
+namespace tinygltf {
+struct Accessor;
+}
+
 namespace hw {
 
 /// Reads the elements of one accessor of a checked model, sparse overrides applied. The model must outlive it. Private

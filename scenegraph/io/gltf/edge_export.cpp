@@ -1,11 +1,13 @@
 #include "hatchway/io/gltf/edge_export.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"

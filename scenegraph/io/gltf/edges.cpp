@@ -1,6 +1,9 @@
 #include "hatchway/io/gltf/edges.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <nlohmann/json.hpp>
 
 #include "hatchway/io/gltf/accessor.hpp"
 

@@ -1,6 +1,9 @@
 #include "hatchway/io/gltf/import.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"

@@ -1,11 +1,13 @@
 #include "hatchway/io/gltf/lights.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "hatchway/core/log.hpp"

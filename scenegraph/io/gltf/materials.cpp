@@ -1,8 +1,10 @@
 #include "hatchway/io/gltf/materials.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/log.hpp"

@@ -1,20 +1,21 @@
 #include "hatchway/io/gltf/mesh.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/limits.hpp"
+#include "hatchway/geometry/unit_normal.hpp"
 #include "hatchway/geometry/vertex_streams.hpp"
 #include "hatchway/io/gltf/accessor.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {
 namespace {
-
-constexpr float kShortestNormal = 1e-6f;
 
 /// Reads one primitive, step by step.
 class PrimitiveReader {
@@ -113,12 +114,6 @@ auto gather(const AccessorReader& reader, std::span<const std::uint32_t> element
     values.reserve(elements.size());
     for (const std::uint32_t element : elements) values.push_back(convert(reader.at(element)));
     return values;
-}
-
-glm::vec3 unit_or_zero(const glm::vec3& v)
-{
-    const float length = glm::length(v);
-    return std::isfinite(length) && length > kShortestNormal ? v / length : glm::vec3(0.0f);
 }
 
 glm::vec2 finite_or_zero(const glm::vec4& uv)

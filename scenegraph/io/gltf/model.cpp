@@ -1,8 +1,10 @@
 #include "hatchway/io/gltf/model.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
 
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "hatchway/core/error.hpp"
@@ -22,6 +24,12 @@ constexpr std::size_t kMaxJsonBytes = 256u << 20;  // "[0,0,0..." takes ten time
 
 constexpr const char* kParsedParts[] = {"asset", "accessors", "bufferViews", "cameras", "materials", "meshes",
                                         "nodes", "samplers",  "scene",       "scenes",  "textures"};
+
+/// What a GltfModel refers to.
+struct ParsedDocument {
+    json document;
+    tinygltf::Model data;
+};
 
 Bytes read_buffer(GltfModel& model, std::size_t index, const std::optional<std::span<const std::byte>>& binary)
 {
@@ -92,7 +100,7 @@ bool refuse_image(tinygltf::Image*, const int, std::string*, std::string*, int, 
     return false;
 }
 
-void parse_with_tinygltf(GltfModel& model, std::vector<Bytes>& buffers)
+void parse_with_tinygltf(const GltfModel& model, std::vector<Bytes>& buffers, tinygltf::Model& data)
 {
     const std::string text = copy_for_tinygltf(model.json, buffers.size()).dump();
     tinygltf::TinyGLTF parser;
@@ -100,7 +108,7 @@ void parse_with_tinygltf(GltfModel& model, std::vector<Bytes>& buffers)
     parser.SetImageLoader(refuse_image, nullptr);
     std::string error;
     std::string warning;
-    const bool is_parsed = parser.LoadASCIIFromString(&model.data, &error, &warning, text.data(),
+    const bool is_parsed = parser.LoadASCIIFromString(&data, &error, &warning, text.data(),
                                                       static_cast<unsigned>(text.size()), "", tinygltf::NO_REQUIRE);
     if (!is_parsed) model.refuse("", "tinygltf cannot read the model: " + error);
 }
@@ -128,19 +136,24 @@ void GltfModel::refuse(const std::string& pointer, std::string what, std::string
 
 GltfModel load_gltf(const std::filesystem::path& file, const std::filesystem::path& project_root)
 {
-    GltfModel model{.file = file.string(), .json = {}, .data = {}, .resources = GltfResources(file, project_root)};
+    const auto parsed = std::make_shared<ParsedDocument>();
+    GltfModel model{.file = file.string(),
+                    .json = parsed->document,
+                    .data = parsed->data,
+                    .resources = GltfResources(file, project_root),
+                    .owner = parsed};
     const Bytes bytes = read_file(file, limits::kMaxFileBytes);
     const GltfParts parts = split_gltf(bytes, model.file);
     if (parts.json.size() > kMaxJsonBytes)
         model.refuse("", fmt::format("the JSON has {} bytes", parts.json.size()),
                      fmt::format("at most {}", kMaxJsonBytes));
-    model.json = parse_json(parts.json, model.file, JsonComments::refused);
-    check_gltf(model.json, model.file);
+    parsed->document = parse_json(parts.json, model.file, JsonComments::refused);
+    check_gltf(parsed->document, model.file);
 
     std::vector<Bytes> buffers;
     const std::size_t buffer_count = model.json.contains("buffers") ? model.json.at("buffers").size() : 0;
     for (std::size_t i = 0; i < buffer_count; ++i) buffers.push_back(read_buffer(model, i, parts.binary));
-    parse_with_tinygltf(model, buffers);
+    parse_with_tinygltf(model, buffers, parsed->data);
     return model;
 }
 

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "hatchway/io/gltf/resources.hpp"
+#include "hatchway/io/json/fwd.hpp"
+
+namespace tinygltf {
+class Model;
+}
 
 namespace hw {
 
@@ -15,9 +18,10 @@ namespace hw {
 /// buffers loaded. Every index in it is in range. Private to io.
 struct GltfModel {
     std::string file;
-    nlohmann::json json;
-    tinygltf::Model data;
+    const nlohmann::json& json;
+    const tinygltf::Model& data;
     GltfResources resources;
+    std::shared_ptr<const void> owner;  ///< Of `json` and `data`.
 
     /// The bytes of a buffer view.
     std::span<const std::byte> view(int index) const;

@@ -1,10 +1,12 @@
 #include "hatchway/io/gltf/nodes.hpp"
 
 #include <fmt/format.h>
+#include <tiny_gltf.h>
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "hatchway/core/limits.hpp"

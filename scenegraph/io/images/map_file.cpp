@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
+#include "hatchway/core/lower_snake.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/io/json/text.hpp"
 
@@ -110,12 +112,6 @@ void check_level(const MapLevels& map, const Pixels& level, const std::string& f
         refuse(fmt::format("half the level before, {} x {}", width, height));
 }
 
-bool is_plain_name(const std::string& name)
-{
-    const auto is_allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && std::ranges::all_of(name, is_allowed);
-}
-
 }  // namespace
 
 MapLevels read_map(const fs::path& folder)
@@ -139,7 +135,7 @@ MapLevels read_map(const fs::path& folder)
 fs::path find_map(const Level& level, MapKind kind, const std::string& name, const std::string& pointer)
 {
     const fs::path built_in = installation_prefix() / "share" / "hatchway" / "maps" / facts_of(kind).name / name;
-    const fs::path folder = is_plain_name(name) ? built_in
+    const fs::path folder = is_lower_snake(name) ? built_in
                                                 : resolve_inside(level.project_root, level.file.parent_path(), name,
                                                                  level.file.string(), pointer);
     std::error_code failed;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"

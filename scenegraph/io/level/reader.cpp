@@ -6,25 +6,18 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
+#include "hatchway/core/lower_snake.hpp"
 #include "hatchway/core/srgb.hpp"
 #include "hatchway/io/level/inherited_styles.hpp"
 #include "hatchway/param/param_reader.hpp"
 
 namespace hw {
-namespace {
 
 using nlohmann::json;
-
-bool is_plugin_name(const std::string& name)
-{
-    const auto is_allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && std::ranges::all_of(name, is_allowed);
-}
-
-}  // namespace
 
 LevelReader::LevelReader(const Level& level, const json& object, std::string pointer)
     : level_(level), object_(object), pointer_(std::move(pointer))
@@ -62,15 +55,33 @@ const json* LevelReader::find_list(const LevelKey& key)
     return value;
 }
 
-const json* LevelReader::find_names(const LevelKey& key)
+std::optional<std::vector<LevelReader::Part>> LevelReader::elements_of(const LevelKey& key)
 {
-    const json* value = find(key);
-    if (!value) return nullptr;
-    const std::string expected = fmt::format("an object of at most {} names", limits::kMaxNames);
-    if (!value->is_object() || value->size() > static_cast<std::size_t>(limits::kMaxNames))
-        refuse(pointer_to(pointer_, key.name), "stands " + described(*value), expected);
-    if (value->contains("")) refuse(pointer_to(pointer_, key.name), "a name is empty", "a text");
-    return value;
+    const json* stated = find_list(key);
+    if (!stated) return {};
+    std::vector<Part> parts;
+    for (const json& value : *stated)
+        parts.push_back({value, pointer_to(pointer_to(pointer_, key.name), parts.size()), {}});
+    return parts;
+}
+
+std::optional<std::vector<LevelReader::Part>> LevelReader::members_of(const LevelKey& key)
+{
+    const json* stated = find(key);
+    if (!stated) return {};
+    const std::string pointer = pointer_to(pointer_, key.name);
+    if (!stated->is_object() || stated->size() > static_cast<std::size_t>(limits::kMaxNames))
+        refuse(pointer, "stands " + described(*stated),
+               fmt::format("an object of at most {} names", limits::kMaxNames));
+    if (stated->contains("")) refuse(pointer, "a name is empty", "a text");
+    std::vector<Part> parts;
+    for (const auto& [name, value] : stated->items()) parts.push_back({value, pointer_to(pointer, name), name});
+    return parts;
+}
+
+bool LevelReader::has(std::string_view name) const
+{
+    return object_.contains(name);
 }
 
 std::optional<std::string> LevelReader::text_of(const LevelKey& key)
@@ -236,7 +247,7 @@ void LevelReader::require_look(const glm::dvec3& position, const glm::dvec3& loo
 void LevelReader::finish(const LevelReader& reader, StyleDesc& style)
 {
     style.pointer = reader.pointer();
-    if (style.like.empty() && !is_plugin_name(style.plugin))
+    if (style.like.empty() && !is_lower_snake(style.plugin))
         reader.refuse(reader.pointer() + "/plugin", "stands the text \"" + style.plugin + '"',
                       "a plugin's name of a-z, 0-9 and _");
 }

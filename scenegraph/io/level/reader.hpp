@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -76,19 +75,18 @@ class LevelReader {
     template <typename T>
     bool objects(const LevelKey& key, std::vector<T>& values)
     {
-        const nlohmann::json* stated = find_list(key);
-        for (std::size_t i = 0; stated && i < stated->size(); ++i)
-            read_object((*stated)[i], pointer_to(pointer_to(pointer_, key.name), i), values.emplace_back());
-        return stated != nullptr;
+        const std::optional<std::vector<Part>> stated = elements_of(key);
+        if (!stated) return false;
+        for (const Part& part : *stated) read_object(part.value, part.pointer, values.emplace_back());
+        return true;
     }
 
     template <typename T>
     bool named(const LevelKey& key, std::map<std::string, T>& values)
     {
-        const nlohmann::json* stated = find_names(key);
+        const std::optional<std::vector<Part>> stated = members_of(key);
         if (!stated) return false;
-        for (const auto& [name, value] : stated->items())
-            read_object(value, pointer_to(pointer_to(pointer_, key.name), name), values[name]);
+        for (const Part& part : *stated) read_object(part.value, part.pointer, values[part.name]);
         return true;
     }
 
@@ -102,11 +100,18 @@ class LevelReader {
 
     /// Call after the visit: throws for a key that was not visited, naming those that exist.
     void refuse_unknown() const;
-    bool has(std::string_view name) const { return object_.contains(name); }
+    bool has(std::string_view name) const;
     const std::string& pointer() const { return pointer_; }
     [[noreturn]] void refuse(const std::string& pointer, std::string what, std::string expected) const;
 
  private:
+    /// An element of an array, or a member of an object, and where it stands.
+    struct Part {
+        const nlohmann::json& value;
+        std::string pointer;
+        std::string name;  ///< Of a member.
+    };
+
     template <typename T>
     void read_object(const nlohmann::json& value, const std::string& pointer, T& target) const
     {
@@ -138,7 +143,8 @@ class LevelReader {
 
     const nlohmann::json* find(const LevelKey& key);
     const nlohmann::json* find_list(const LevelKey& key);
-    const nlohmann::json* find_names(const LevelKey& key);
+    std::optional<std::vector<Part>> elements_of(const LevelKey& key);
+    std::optional<std::vector<Part>> members_of(const LevelKey& key);
     std::optional<std::string> text_of(const LevelKey& key);
     std::optional<bool> flag_of(const LevelKey& key);
     std::optional<glm::vec3> colour_of(const LevelKey& key);

@@ -11,19 +11,13 @@
 #include "hatchway/core/srgb.hpp"
 #include "hatchway/geometry/surface/crease_normals.hpp"
 #include "hatchway/geometry/surface/triangulation.hpp"
+#include "hatchway/geometry/unit_normal.hpp"
 
 namespace hw {
 namespace {
 
 constexpr float kCreaseDeg = 40.0f;  // as ink draws creases unless it is told otherwise
-constexpr float kShortestNormal = 1e-6f;
 constexpr std::uint32_t kUnused = 0xffffffffu;
-
-glm::vec3 unit_or_zero(const glm::vec3& v)
-{
-    const float length = glm::length(v);
-    return std::isfinite(length) && length > kShortestNormal ? v / length : glm::vec3(0.0f);
-}
 
 glm::vec4 linear_from_srgb(const glm::vec4& c)
 {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "hatchway/io/gltf/check/buffers.hpp"
 #include "hatchway/io/gltf/check/gltf_checked.hpp"
 #include "hatchway/io/gltf/check/gltf_rules.hpp"

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "hatchway/io/json/fwd.hpp"
 
 namespace hw {
 

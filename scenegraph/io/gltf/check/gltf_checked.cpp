@@ -1,5 +1,7 @@
 #include "hatchway/io/gltf/check/gltf_checked.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "hatchway/core/error.hpp"
 
 namespace hw {

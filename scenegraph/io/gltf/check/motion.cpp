@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "hatchway/io/gltf/check/meshes.hpp"
 #include "hatchway/io/json/text.hpp"
 

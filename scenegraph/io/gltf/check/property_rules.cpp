@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/io/json/text.hpp"

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "hatchway/io/json/fwd.hpp"
 
 namespace hw {
 
