@@ -7,13 +7,9 @@
 
 #include "tests/program/run_program.hpp"
 
+namespace hw::test {
 namespace {
 namespace fs = std::filesystem;
-using hw::test::bytes_of;
-using hw::test::kContent;
-using hw::test::ProgramResult;
-using hw::test::run_program;
-using hw::test::TemporaryFolder;
 using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -262,3 +258,5 @@ TEST(render, parts_of_a_path_are_the_pictures_that_the_whole_has)
         EXPECT_EQ(bytes_of(folder.path() / "part" / name), bytes_of(folder.path() / "all" / name));
     for (const char* bad : {"0/3", "4/3", "2", "a/b", "1/3x"}) EXPECT_EQ(render("bad", {"--part", bad}), 2) << bad;
 }
+
+}  // namespace hw::test

@@ -4,12 +4,9 @@
 #include "tests/program/run_program.hpp"
 #include "tests/shared_data.hpp"
 
+namespace hw::test {
 namespace {
 namespace fs = std::filesystem;
-using hw::test::kSharedData;
-using hw::test::ProgramResult;
-using hw::test::run_program;
-using hw::test::sampled;
 
 std::vector<fs::path> models_in(const fs::path& folder)
 {
@@ -54,3 +51,5 @@ TEST(corpus, hard_meshes_open_in_every_style)
             EXPECT_EQ(result.exit_code, 0) << file << ' ' << style << '\n' << result.err;
         }
 }
+
+}  // namespace hw::test

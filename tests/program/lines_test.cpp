@@ -6,12 +6,9 @@
 
 #include "tests/program/run_program.hpp"
 
+namespace hw::test {
 namespace {
 
-using hw::test::bytes_of;
-using hw::test::kContent;
-using hw::test::run_program;
-using hw::test::TemporaryFolder;
 using nlohmann::json;
 
 const std::string kPrism = (kContent / "models" / "prism.glb").string();
@@ -65,3 +62,5 @@ TEST(lines, never_replace_what_they_are_drawn_from_and_write_svg_or_pdf_alone)
     EXPECT_EQ(run_program({"lines", kPrism, "--out", folder / "prism.pdf"}).exit_code, 0);
     EXPECT_EQ(bytes_of(folder / "prism.pdf").rfind("%PDF", 0), 0u);
 }
+
+}  // namespace hw::test

@@ -5,13 +5,9 @@
 
 #include "tests/program/run_program.hpp"
 
+namespace hw::test {
 namespace {
 namespace fs = std::filesystem;
-using hw::test::bytes_of;
-using hw::test::kContent;
-using hw::test::ProgramResult;
-using hw::test::run_program;
-using hw::test::TemporaryFolder;
 using nlohmann::json;
 
 const std::string kHall = (kContent / "levels" / "hall.level.json").string();
@@ -244,3 +240,5 @@ TEST(program, render_shows_an_image_of_the_frame)
         EXPECT_EQ(shown(wrong), 2) << wrong;
     EXPECT_FALSE(fs::exists(folder / "image.png"));
 }
+
+}  // namespace hw::test

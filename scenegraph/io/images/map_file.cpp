@@ -136,8 +136,8 @@ fs::path find_map(const Level& level, MapKind kind, const std::string& name, con
 {
     const fs::path built_in = installation_prefix() / "share" / "hatchway" / "maps" / facts_of(kind).name / name;
     const fs::path folder = is_lower_snake(name) ? built_in
-                                                : resolve_inside(level.project_root, level.file.parent_path(), name,
-                                                                 level.file.string(), pointer);
+                                                 : resolve_inside(level.project_root, level.file.parent_path(), name,
+                                                                  level.file.string(), pointer);
     std::error_code failed;
     if (fs::is_regular_file(folder / "map.json", failed)) return folder;
     throw Error({.what = fmt::format("there is no map \"{}\"", name),

@@ -6,13 +6,9 @@
 
 #include "tests/program/run_program.hpp"
 
+namespace hw::test {
 namespace {
 namespace fs = std::filesystem;
-using hw::test::bytes_of;
-using hw::test::kContent;
-using hw::test::ProgramResult;
-using hw::test::run_program;
-using hw::test::TemporaryFolder;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -142,3 +138,5 @@ TEST_F(links, that_lead_back_from_two_builds_of_a_style_end_no_command)
         run_program({"check", strange("prism.glb"), "--plugin-dir", folder_ / "plugins"}, 20.0);
     EXPECT_EQ(result.exit_code, 0) << result.err;
 }
+
+}  // namespace hw::test

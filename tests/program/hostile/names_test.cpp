@@ -6,11 +6,8 @@
 #include "hatchway/core/plain_text.hpp"
 #include "tests/program/run_program.hpp"
 
+namespace hw::test {
 namespace {
-using hw::test::bytes_of;
-using hw::test::ProgramResult;
-using hw::test::run_program;
-using hw::test::TemporaryFolder;
 using nlohmann::json;
 
 const std::string kName =
@@ -83,3 +80,5 @@ TEST(names, of_a_model_reach_no_terminal_as_they_are)
     EXPECT_GE(told, 7) << "the names stand there, written out";
     for (const char* file : {"i.json", "c.json"}) EXPECT_TRUE(is_plain(bytes_of(folder / file))) << file;
 }
+
+}  // namespace hw::test
