@@ -34,14 +34,19 @@ std::size_t odd_joints(const std::vector<hw::IntersectionLine>& lines)
     return std::count_if(uses.begin(), uses.end(), [](const auto& use) { return use.second % 2 != 0; });
 }
 
+/// A post that goes through a floor at the height 0, around which it is cut by 8 m.
+struct PostInFloor {
+    const hw::Surface floor = hw::build_surface(box({-5, -1, -5}, {5, 0, 5}));
+    const hw::Surface post = hw::build_surface(box({-1, -0.5f, -1}, {1, 3, 1}));
+    const std::vector<hw::LineObject> objects{{&floor}, {&post}};
+};
+
 }  // namespace
 
 TEST(intersections, a_box_through_a_floor_is_cut_around)
 {
-    const hw::Surface floor = hw::build_surface(box({-5, -1, -5}, {5, 0, 5}));
-    const hw::Surface post = hw::build_surface(box({-1, -0.5f, -1}, {1, 3, 1}));
-    const std::vector<hw::LineObject> objects{{&floor}, {&post}};
-    const auto lines = hw::find_intersections(objects);
+    const PostInFloor scene;
+    const auto lines = hw::find_intersections(scene.objects);
     EXPECT_NEAR(length_of(lines), 8.0, 1e-12);
     EXPECT_EQ(odd_joints(lines), 0u);
     for (const auto& line : lines) EXPECT_NEAR(line.ends_world[0].y, 0.0, 1e-15);
@@ -115,13 +120,12 @@ TEST(intersections, do_not_depend_on_scale_and_are_the_same_every_time)
 
 TEST(intersections, are_hidden_and_joined_like_all_lines)
 {
-    const hw::Surface floor = hw::build_surface(box({-5, -1, -5}, {5, 0, 5}));
-    const hw::Surface post = hw::build_surface(box({-1, -0.5f, -1}, {1, 3, 1}));
-    const std::vector<hw::LineObject> objects{{&floor}, {&post}};
-    const auto cuts = hw::find_intersections(objects);
+    const PostInFloor scene;
+    const auto cuts = hw::find_intersections(scene.objects);
     const hw::LineCamera camera{.eye_world = {6, 5, 8}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
     int visible = 0, hidden = 0;
-    for (const auto& line : hw::find_visible_lines(objects, camera, {.with_hidden = true, .intersections = cuts})) {
+    for (const auto& line :
+         hw::find_visible_lines(scene.objects, camera, {.with_hidden = true, .intersections = cuts})) {
         if (line.line_class != hw::LineClass::intersection) continue;
         EXPECT_EQ(line.object, 0u);
         ++(line.is_visible ? visible : hidden);

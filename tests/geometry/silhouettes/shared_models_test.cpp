@@ -9,34 +9,37 @@
 namespace {
 
 using namespace hw::test;
+namespace fs = std::filesystem;
 
-class shared_models : public testing::TestWithParam<const char*> {};
+class shared_models : public testing::TestWithParam<const char*> {
+ protected:
+    template <typename Judge>
+    void for_each_mesh(Judge judge) const
+    {
+        for (const fs::path& file : files_)
+            for (const hw::MeshData& mesh : read_glb_meshes(file)) judge(file, mesh, hw::build_surface(mesh));
+    }
+
+    const std::vector<fs::path> files_ = shared_glb_files(GetParam());
+};
 
 }  // namespace
 
 TEST_P(shared_models, agree_edge_for_edge_with_exact_arithmetic)
 {
-    const auto files = shared_glb_files(GetParam());
-    HATCHWAY_NEEDS_DATA(!files.empty(), "measuring data beside the project");
-    for (const auto& file : files) {
-        for (const hw::MeshData& mesh : read_glb_meshes(file)) {
-            const hw::Surface surface = hw::build_surface(mesh);
-            EXPECT_EQ(wrong_edges_in_all_views(surface), 0u) << file;
-        }
-    }
+    HATCHWAY_NEEDS_DATA(!files_.empty(), "measuring data beside the project");
+    for_each_mesh([](const fs::path& file, const hw::MeshData&, const hw::Surface& surface) {
+        EXPECT_EQ(wrong_edges_in_all_views(surface), 0u) << file;
+    });
 }
 
 TEST_P(shared_models, lose_no_face)
 {
-    const auto files = shared_glb_files(GetParam());
-    HATCHWAY_NEEDS_DATA(!files.empty(), "measuring data beside the project");
-    for (const auto& file : files) {
-        for (const hw::MeshData& mesh : read_glb_meshes(file)) {
-            const hw::Surface surface = hw::build_surface(mesh);
-            EXPECT_EQ(surface.faces.size() + surface.report.removed_faces, mesh.triangle_count()) << file;
-            EXPECT_EQ(hw::HalfEdgeMesh(surface).face_count(), surface.faces.size()) << file;
-        }
-    }
+    HATCHWAY_NEEDS_DATA(!files_.empty(), "measuring data beside the project");
+    for_each_mesh([](const fs::path& file, const hw::MeshData& mesh, const hw::Surface& surface) {
+        EXPECT_EQ(surface.faces.size() + surface.report.removed_faces, mesh.triangle_count()) << file;
+        EXPECT_EQ(hw::HalfEdgeMesh(surface).face_count(), surface.faces.size()) << file;
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(folders, shared_models, testing::Values("models", "hard", "scenes"),

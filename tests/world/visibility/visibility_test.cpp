@@ -27,13 +27,35 @@ void add_wall_with_opening(SceneBuilder& builder, double thickness, double width
     builder.box({-x, -w, w}, {x, w, depth}, false);
 }
 
+/// Across the room from (-10, -5, -5) to (10, 5, 5); looks to -x.
+const std::array<glm::dvec3, 4> kWall{{{0, -5, -5}, {0, -5, 5}, {0, 5, 5}, {0, 5, -5}}};
+
+struct BothEnds {
+    ObjectId left, right;
+};
+
+/// Something to see at each end of that room.
+BothEnds add_box_at_each_end(SceneBuilder& builder)
+{
+    const ObjectId left = builder.box({-8, -1, -1}, {-7, 1, 1}, false);
+    return {left, builder.box({7, -1, -1}, {8, 1, 1}, false)};
+}
+
+/// That room with six walls that leave narrow ways.
+SceneBuilder six_walls()
+{
+    SceneBuilder builder;
+    builder.box({-10, -5, -5}, {10, 5, 5}, true);
+    for (int i = 0; i < 6; ++i) builder.box({-8.0 + 3 * i, -5, -5}, {-7.5 + 3 * i, 5, i % 2 ? 4.0 : 3.0}, false);
+    return builder;
+}
+
 TEST(visibility, a_closed_wall_hides_what_is_behind_it)
 {
     SceneBuilder builder;
     builder.box({-10, -5, -5}, {10, 5, 5}, true);
     builder.box({-0.5, -5, -5}, {0.5, 5, 5}, false);
-    const ObjectId left = builder.box({-8, -1, -1}, {-7, 1, 1}, false);
-    const ObjectId right = builder.box({7, -1, -1}, {8, 1, 1}, false);
+    const auto [left, right] = add_box_at_each_end(builder);
     const Compiled compiled = compile(builder.scene());
     EXPECT_TRUE(compiled.sees({-3, 0, 0}, left));
     EXPECT_FALSE(compiled.sees({-3, 0, 0}, right));
@@ -100,9 +122,8 @@ TEST(visibility, a_single_sided_wall_blocks_from_its_front_and_not_from_behind)
 {
     SceneBuilder builder;
     builder.box({-10, -5, -5}, {10, 5, 5}, true);
-    builder.quad({{{0, -5, -5}, {0, -5, 5}, {0, 5, 5}, {0, 5, -5}}});  // looks to -x
-    const ObjectId left = builder.box({-8, -1, -1}, {-7, 1, 1}, false);
-    const ObjectId right = builder.box({7, -1, -1}, {8, 1, 1}, false);
+    builder.quad(kWall);
+    const auto [left, right] = add_box_at_each_end(builder);
     const Compiled compiled = compile(builder.scene());
     EXPECT_FALSE(compiled.sees({-3, 0, 0}, right)) << "its front hides what is behind it";
     EXPECT_TRUE(compiled.sees({3, 0, 0}, left)) << "from behind it is not drawn";
@@ -112,10 +133,9 @@ TEST(visibility, a_mirrored_node_turns_the_drawn_side_round)
 {
     SceneBuilder builder;
     builder.box({-10, -5, -5}, {10, 5, 5}, true);
-    const ObjectId wall = builder.quad({{{0, -5, -5}, {0, -5, 5}, {0, 5, 5}, {0, 5, -5}}});
+    const ObjectId wall = builder.quad(kWall);
     builder.scene().nodes[wall].world_from_node[0][0] = -1.0;  // now it looks to +x
-    const ObjectId left = builder.box({-8, -1, -1}, {-7, 1, 1}, false);
-    const ObjectId right = builder.box({7, -1, -1}, {8, 1, 1}, false);
+    const auto [left, right] = add_box_at_each_end(builder);
     const Compiled compiled = compile(builder.scene());
     EXPECT_TRUE(compiled.sees({-3, 0, 0}, right));
     EXPECT_FALSE(compiled.sees({3, 0, 0}, left));
@@ -125,9 +145,8 @@ TEST(visibility, a_double_sided_wall_blocks_both_ways)
 {
     SceneBuilder builder;
     builder.box({-10, -5, -5}, {10, 5, 5}, true);
-    builder.quad({{{0, -5, -5}, {0, -5, 5}, {0, 5, 5}, {0, 5, -5}}}, SceneBuilder::kDouble);
-    const ObjectId left = builder.box({-8, -1, -1}, {-7, 1, 1}, false);
-    const ObjectId right = builder.box({7, -1, -1}, {8, 1, 1}, false);
+    builder.quad(kWall, SceneBuilder::kDouble);
+    const auto [left, right] = add_box_at_each_end(builder);
     const Compiled compiled = compile(builder.scene());
     EXPECT_FALSE(compiled.sees({-3, 0, 0}, right));
     EXPECT_FALSE(compiled.sees({3, 0, 0}, left));
@@ -192,7 +211,7 @@ TEST(visibility, the_near_plane_may_poke_through_a_wall)
 {
     SceneBuilder builder;
     builder.box({-10, -5, -5}, {10, 5, 5}, true);
-    builder.quad({{{0, -5, -5}, {0, -5, 5}, {0, 5, 5}, {0, 5, -5}}}, SceneBuilder::kDouble);
+    builder.quad(kWall, SceneBuilder::kDouble);
     const ObjectId right = builder.box({7, -1, -1}, {8, 1, 1}, false);
     const Compiled compiled = compile(builder.scene());
     std::vector<std::uint8_t> visible;
@@ -216,9 +235,7 @@ TEST(visibility, what_is_low_behind_a_half_high_wall_is_hidden_from_below_only)
 
 TEST(visibility, is_the_same_for_any_number_of_threads)
 {
-    SceneBuilder builder;
-    builder.box({-10, -5, -5}, {10, 5, 5}, true);
-    for (int i = 0; i < 6; ++i) builder.box({-8.0 + 3 * i, -5, -5}, {-7.5 + 3 * i, 5, i % 2 ? 4.0 : 3.0}, false);
+    SceneBuilder builder = six_walls();
     VisibilityOptions one, four;
     one.threads = 1;
     four.threads = 4;
@@ -234,9 +251,7 @@ TEST(visibility, is_the_same_for_any_number_of_threads)
 
 TEST(visibility, a_tight_budget_shows_more_and_never_less)
 {
-    SceneBuilder builder;
-    builder.box({-10, -5, -5}, {10, 5, 5}, true);
-    for (int i = 0; i < 6; ++i) builder.box({-8.0 + 3 * i, -5, -5}, {-7.5 + 3 * i, 5, i % 2 ? 4.0 : 3.0}, false);
+    SceneBuilder builder = six_walls();
     VisibilityOptions rich, poor;
     rich.flow_seconds = 0.0;
     poor.flow_seconds = 1e-9;
