@@ -21,7 +21,9 @@ class Style {
     virtual Needs needs() const = 0;
     virtual void prepare(ProgramCache&) = 0;
 
-    /// Called in this order with the style's visible objects: images() once a frame, the others once for each layer.
+    /// Called in this order with the style's visible objects: images() once a frame with all of them; surfaces() with
+    /// the opaque ones whose first style it is, then with those that it lies over; lines() with the opaque ones; then
+    /// both for each run of blended ones, back to front across styles.
     virtual void images(Pass&, Items) {}
     virtual void surfaces(Pass&, Items) {}
     virtual void lines(Pass&, Items) {}
