@@ -25,7 +25,7 @@ void add_level_arguments(CommandLine command, LevelArguments& arguments)
                     "Draw the nodes of a path glob in a style: '*=pen_and_ink'; repeatable")
         .option_text("GLOB=STYLE")
         .one_value_each();
-    add_plugin_dir_argument(command, arguments.plugin_dirs);
+    add_plugin_arguments(command, arguments.plugins);
     command.add_flag("--no-pvs", arguments.without_pvs, "Draw everything in the frustum");
     command.add_flag("--no-baked-light", arguments.without_baked_light, "Leave the lightmap beside the level alone");
     add_cache_argument(command, arguments.cache);
@@ -37,11 +37,16 @@ void add_cache_argument(CommandLine command, fs::path& cache)
     command.add_option("--cache", cache, "Keep compiled levels in this folder and find them there").option_text("DIR");
 }
 
-void add_plugin_dir_argument(CommandLine command, std::vector<fs::path>& plugin_dirs)
+void add_plugin_arguments(CommandLine command, PluginArguments& plugins)
 {
-    command.add_option("--plugin-dir", plugin_dirs, "A folder with more plugins; repeatable")
+    command
+        .add_option("--plugin-dir", plugins.folders,
+                    "A folder with more plugins; repeatable. Each is tried once in a process of its own; one that "
+                    "crashes is left out")
         .option_text("DIR")
         .one_value_each();
+    command.add_flag("--retry-plugins", plugins.are_tried_anew,
+                     "Try the plugins of --plugin-dir again, also those that were left out");
 }
 
 void add_json_argument(CommandLine command, fs::path& json_file)
@@ -63,7 +68,8 @@ StageOptions stage_options(const LevelArguments& arguments, CompiledUse use)
         cache = CompiledCache{arguments.cache};
     return {.file = arguments.file,
             .style_overrides = arguments.styles,
-            .plugin_dirs = arguments.plugin_dirs,
+            .plugin_dirs = arguments.plugins.folders,
+            .plugin_trial = arguments.plugins.trial(),
             .visibility_use = arguments.without_pvs ? VisibilityUse::none : visibility_use(use),
             .visibility = {},
             .baked_light = arguments.without_baked_light ? BakedLight::unwanted : BakedLight::if_there,

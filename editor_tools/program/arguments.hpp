@@ -13,11 +13,19 @@ namespace hw {
 
 struct DeviceInfo;
 
+/// Where more plugins are.
+struct PluginArguments {
+    std::vector<std::filesystem::path> folders;
+    bool are_tried_anew = false;
+
+    Trial trial() const { return are_tried_anew ? Trial::anew : Trial::if_new; }
+};
+
 /// What every subcommand that opens a level takes.
 struct LevelArguments {
     std::filesystem::path file;
     std::vector<std::string> styles;
-    std::vector<std::filesystem::path> plugin_dirs;
+    PluginArguments plugins;
     bool without_pvs = false;
     bool without_baked_light = false;
     std::filesystem::path cache;  ///< Where compiled levels are kept; empty: in the user's own, or nowhere.
@@ -33,7 +41,7 @@ enum class CompiledUse : unsigned char {
 };
 
 void add_level_arguments(CommandLine command, LevelArguments& arguments);
-void add_plugin_dir_argument(CommandLine command, std::vector<std::filesystem::path>& plugin_dirs);
+void add_plugin_arguments(CommandLine command, PluginArguments& plugins);
 void add_json_argument(CommandLine command, std::filesystem::path& json_file);
 
 /// --cache alone, for commands that do not draw.

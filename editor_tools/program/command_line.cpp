@@ -41,7 +41,8 @@ std::string full_name(const CLI::App& command)
 std::string known_commands(const CLI::App& command)
 {
     std::vector<std::string> names;
-    for (const CLI::App* each : subcommands(command)) names.push_back(each->get_name());
+    for (const CLI::App* each : subcommands(command))
+        if (!each->get_group().empty()) names.push_back(each->get_name());
     return fmt::format("one of: {}", fmt::join(names, ", "));
 }
 
@@ -116,6 +117,11 @@ CommandOption CommandOption::one_value_each()
 CommandLine CommandLine::add_subcommand(const std::string& name, const std::string& help)
 {
     return CommandLine(app_->add_subcommand(name, help));
+}
+
+void CommandLine::hide()
+{
+    app_->group("");
 }
 
 void CommandLine::require_subcommand()

@@ -45,6 +45,7 @@ class CommandLine {
 
     CommandLine add_subcommand(const std::string& name, const std::string& help);
     void require_subcommand();
+    void hide();  ///< From --help and from lists of what is known.
 
     /// "--name" or "-n,--name", or "name" for a word by its place. The value stays as it is unless the option is given;
     /// it must outlive the reading. For std::string, path, int, double, uint32 and uint64, std::optional of a number

@@ -22,5 +22,6 @@ void add_map_command(CommandLine app);
 void add_pvs_command(CommandLine app);
 void add_new_style_command(CommandLine app);
 void add_schema_command(CommandLine app);
+void add_try_plugin_command(CommandLine app);
 
 }  // namespace hw

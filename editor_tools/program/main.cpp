@@ -42,6 +42,7 @@ void add_commands(hw::CommandLine app)
     hw::add_pvs_command(app);
     hw::add_new_style_command(app);
     hw::add_schema_command(app);
+    hw::add_try_plugin_command(app);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,15 +21,25 @@ class PlainStyle final : public Style {
     Program program_;
 };
 
+/// The name of an object of the scene, for messages.
+using ObjectNamer = std::function<std::string(std::uint32_t object)>;
+
+/// Whose call it is, and how its objects are called.
+struct Guarded {
+    std::string plugin;
+    const ObjectNamer& object_name;  ///< May be empty. Outlives the guard.
+};
+
 /// A plugin's style in the hands of the renderer, which knows no plugin: when the style throws while drawing, that is
 /// logged once and `fallback` draws from then on.
 class GuardedStyle final : public Style {
  public:
     /// `style` is prepared and so is `fallback`, which must outlive this.
-    GuardedStyle(std::string name, std::unique_ptr<Style> style, Style& fallback);
+    GuardedStyle(std::string name, Guarded guarded, std::unique_ptr<Style> style, Style& fallback);
+    ~GuardedStyle() override;
 
-    /// Takes a fresh prepared instance; forgets the failure of the last.
-    void replace(std::unique_ptr<Style> style);
+    /// Takes a fresh prepared instance, maybe of another plugin; forgets the failure of the last.
+    void replace(const std::string& plugin, std::unique_ptr<Style> style);
     /// Why the style no longer draws; empty when it does.
     const std::string& failure() const { return failure_; }
 
@@ -40,9 +52,10 @@ class GuardedStyle final : public Style {
 
  private:
     template <typename Call>
-    void attempt(const char* doing, Call&& call);
+    void attempt(const char* doing, Items items, Call&& call);
 
     std::string name_;
+    Guarded guarded_;
     std::unique_ptr<Style> style_;
     Style& fallback_;
     Needs needs_;  ///< Asked once: they depend on the parameters alone.
@@ -52,14 +65,15 @@ class GuardedStyle final : public Style {
 /// The same for an image pass: after a failure it makes no image, and styles draw without.
 class GuardedImagePass final : public ImagePass {
  public:
-    GuardedImagePass(std::string name, std::unique_ptr<ImagePass> pass);
+    GuardedImagePass(Guarded guarded, std::unique_ptr<ImagePass> pass);
+    ~GuardedImagePass() override;
 
     Needs needs() const override { return needs_; }
     void prepare(ProgramCache&) override {}
     Images make(Pass& pass, Items items) override;
 
  private:
-    std::string name_;
+    Guarded guarded_;
     std::unique_ptr<ImagePass> pass_;
     Needs needs_;
     bool has_failed_ = false;

@@ -27,6 +27,9 @@ std::unique_ptr<Instance> with_params(const Plugin& plugin, Instance* (*make)(),
     });
 }
 
+// Named around an instance that goes at once, so that a crash of its destructor is noted, too.
+constexpr const char* kCheck = "a check of its parameters";
+
 /// Collects the maps that a style states.
 class MapCollector final : public ParamVisitor {
  public:
@@ -91,6 +94,7 @@ std::unique_ptr<ImagePass> make_image_pass(const Plugin& plugin, const ParamSett
 
 void visit_defaults(const Plugin& plugin, ParamVisitor& visitor)
 {
+    const PluginCall noted(plugin.name, kCheck);
     const StyleSource source{plugin.library.string(), ""};
     if (plugin.kind == PluginKind::style) {
         const auto style = make_style(plugin, {}, source);
@@ -124,6 +128,7 @@ std::vector<StatedMap> maps_of_styles(const PluginRegistry& registry, const Leve
 {
     std::vector<StatedMap> maps;
     for (const auto& [name, desc] : level.styles) {
+        const PluginCall noted(desc.plugin, kCheck);
         const std::unique_ptr<Style> style = style_of(registry, level, desc);
         MapCollector collector(desc, maps);
         call_plugin(desc.plugin, "visit_params", level.file.string(), desc.pointer,
@@ -134,7 +139,10 @@ std::vector<StatedMap> maps_of_styles(const PluginRegistry& registry, const Leve
 
 void check_styles(const PluginRegistry& registry, const Level& level)
 {
-    for (const auto& [name, desc] : level.styles) style_of(registry, level, desc);
+    for (const auto& [name, desc] : level.styles) {
+        const PluginCall noted(desc.plugin, kCheck);
+        style_of(registry, level, desc);
+    }
     const auto require = [&](const std::string& name, const std::string& pointer) {
         require_style_name(registry, level.styles, name, {level.file.string(), pointer});
     };

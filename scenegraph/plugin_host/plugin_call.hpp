@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/plugin_host/trial/crash_watch.hpp"
 
 namespace hw {
 
-/// Calls into a plugin: what it throws arrives as hw::Error, in which `doing` says what was asked of it.
+/// Calls into a plugin: what it throws arrives as hw::Error, in which `doing` says what was asked of it. Of a plugin
+/// that is watched a crash is noted, too.
 template <typename Call>
 auto call_plugin(const std::string& plugin, const char* doing, const std::string& file, const std::string& pointer,
                  Call&& call)
@@ -18,6 +20,7 @@ auto call_plugin(const std::string& plugin, const char* doing, const std::string
                       .file = file,
                       .pointer = pointer});
     };
+    const PluginCall noted(plugin, doing);
     try {
         return std::forward<Call>(call)();
     } catch (const Error&) {

@@ -12,6 +12,7 @@
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/lower_snake.hpp"
 #include "hatchway/plugin_host/library_file.hpp"
+#include "hatchway/plugin_host/trial/crash_watch.hpp"
 
 namespace hw {
 namespace {
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 /// Libraries of the installation, relative to its prefix.
 constexpr const char* kInstalledLibraries = HATCHWAY_PLUGIN_FOLDER;
 constexpr const char* kInstalledShaders = "share/hatchway/plugins";
+constexpr const char* kNotAName = "its name is not made of a-z, 0-9 and _";
 
 std::vector<fs::path> libraries_in(const fs::path& folder)
 {
@@ -33,10 +35,14 @@ std::vector<fs::path> libraries_in(const fs::path& folder)
 }
 
 /// Opens a library and asks for its entry; `why` is set instead when there is none.
-const PluginEntry* entry_of(const fs::path& library, std::string& why)
+const PluginEntry* entry_of(const fs::path& library, Trial trial, std::string& why)
 {
+    const std::string name = library.stem().string();
     why = library_refusal(library);
+    if (why.empty() && !is_plugin_name(name)) why = kNotAName;
+    if (why.empty() && trial != Trial::none) why = trial_refusal(library, trial);
     if (!why.empty()) return nullptr;
+    const PluginCall loading(name, "loading");
     void* handle = ::dlopen(fs::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) {
         why = fmt::format("it does not load: {}", ::dlerror());
@@ -49,7 +55,7 @@ const PluginEntry* entry_of(const fs::path& library, std::string& why)
     }
     try {
         const PluginEntry* entry = reinterpret_cast<PluginFunction>(symbol)();
-        why = plugin_refusal(entry, library.stem().string());
+        why = plugin_refusal(entry, name);
         return entry;
     } catch (...) {
         why = "its function hw_plugin() throws";
@@ -87,7 +93,7 @@ std::string plugin_refusal(const PluginEntry* entry, std::string_view file_name)
             "it was built by \"{}\", this program by \"{}\": build it with the same compiler, GLM, build type and "
             "headers of the interface",
             entry->build ? entry->build : "", HW_PLUGIN_BUILD);
-    if (!entry->name || !is_plugin_name(entry->name)) return "its name is not made of a-z, 0-9 and _";
+    if (!entry->name || !is_plugin_name(entry->name)) return kNotAName;
     if (!file_name.empty() && file_name != entry->name)
         return fmt::format("it calls itself \"{}\": the library must have the same name", entry->name);
     const bool has_maker = (entry->kind == PluginKind::style && entry->make_style) ||
@@ -106,28 +112,33 @@ PluginRegistry::PluginRegistry(const PluginPlaces& places)
         }
         add(described(*entry, {}, prefix / kInstalledShaders / entry->name));
     }
-    if (places.has_installed) load_folder(prefix / kInstalledLibraries, prefix / kInstalledShaders);
+    if (places.has_installed) load_folder(prefix / kInstalledLibraries, prefix / kInstalledShaders, Trial::none);
     for (const fs::path& folder : places.folders) {
         std::error_code failed;
         if (!fs::is_directory(folder, failed))
             throw Error({.what = "there is no such folder of plugins", .file = folder.string()});
-        load_folder(folder, folder);
+        const bool is_installed = fs::equivalent(folder, prefix / kInstalledLibraries, failed);
+        load_folder(folder, folder, is_installed ? Trial::none : places.trial);
     }
+    if (!places.under_trial.empty()) load(places.under_trial, places.under_trial.parent_path(), Trial::none);
     for (const RefusedPlugin& refused : refused_)
         log_warning(fmt::format("{}: the plugin is left out: {}", refused.library.string(), refused.why));
 }
 
-void PluginRegistry::load_folder(const fs::path& libraries, const fs::path& shaders)
+void PluginRegistry::load_folder(const fs::path& libraries, const fs::path& shaders, Trial trial)
 {
-    for (const fs::path& library : libraries_in(libraries)) {
-        const std::string name = library.stem().string();
-        std::string why;
-        const PluginEntry* entry = entry_of(library, why);
-        if (why.empty())
-            add(described(*entry, library, shaders / name));
-        else
-            refused_.push_back({name, library, why});
-    }
+    for (const fs::path& library : libraries_in(libraries)) load(library, shaders, trial);
+}
+
+void PluginRegistry::load(const fs::path& library, const fs::path& shaders, Trial trial)
+{
+    const std::string name = library.stem().string();
+    std::string why;
+    const PluginEntry* entry = entry_of(library, trial, why);
+    if (why.empty())
+        add(described(*entry, library, shaders / name));
+    else
+        refused_.push_back({name, library, why});
 }
 
 void PluginRegistry::add(Plugin plugin)

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hatchway/plugin_host/trial/library_trial.hpp"
 #include "hatchway/style/plugin.hpp"
 
 namespace hw {
@@ -33,6 +34,8 @@ struct PluginPlaces {
     bool has_installed = true;                    ///< PREFIX/lib/hatchway/plugins of the running program.
     std::vector<std::filesystem::path> folders;   ///< Of --plugin-dir: NAME.so with its shaders in NAME/.
     std::span<const PluginFunction> compiled_in;  ///< static_plugins(), or none.
+    Trial trial = Trial::if_new;        ///< Of libraries in `folders`; those of the installation are not tried.
+    std::filesystem::path under_trial;  ///< One more library, not tried: for the process that does so.
 };
 
 /// The plugins of this process. A later place wins over an earlier one: compiled in, installed, then `folders` in
@@ -54,7 +57,8 @@ class PluginRegistry {
 
  private:
     void add(Plugin plugin);
-    void load_folder(const std::filesystem::path& libraries, const std::filesystem::path& shaders);
+    void load_folder(const std::filesystem::path& libraries, const std::filesystem::path& shaders, Trial trial);
+    void load(const std::filesystem::path& library, const std::filesystem::path& shaders, Trial trial);
 
     std::vector<Plugin> plugins_;
     std::vector<RefusedPlugin> refused_;

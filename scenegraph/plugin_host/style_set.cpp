@@ -43,7 +43,7 @@ void StyleSet::set_level(const Level& level)
     for (Change& change : changes) {
         Instance& instance = instances_[change.index];
         instance.wanted = std::move(change.wanted);
-        instance.style->replace(std::move(change.style));
+        instance.style->replace(instance.wanted.plugin, std::move(change.style));
     }
 }
 
@@ -75,6 +75,7 @@ StyleSet::Wanted StyleSet::wanted(const std::string& name, const std::string& po
 std::unique_ptr<Style> StyleSet::prepared(const Wanted& wanted)
 {
     const Plugin& plugin = require_plugin(registry_, wanted.plugin, PluginKind::style, wanted.source);
+    const PluginCall noted(plugin.name, "prepare");
     auto style = make_style(plugin, wanted.params, wanted.source);
     call_plugin(plugin.name, "prepare", wanted.source.file, wanted.source.pointer,
                 [&] { style->prepare(programs_(plugin.shader_folder)); });
@@ -87,7 +88,7 @@ int StyleSet::use(const std::string& name, const std::string& pointer)
     for (std::size_t i = 0; i < instances_.size(); ++i)
         if (instances_[i].name == name) return static_cast<int>(i);
     Wanted now = wanted(name, pointer);
-    auto style = std::make_unique<GuardedStyle>(name, prepared(now), plain_);
+    auto style = std::make_unique<GuardedStyle>(name, Guarded{now.plugin, object_name_}, prepared(now), plain_);
     styles_.push_back({name, style.get()});
     instances_.push_back({name, std::move(now), std::move(style)});
     return static_cast<int>(instances_.size()) - 1;
@@ -103,7 +104,7 @@ std::vector<std::string> StyleSet::prepare_again()
     std::vector<std::string> messages;
     for (Instance& instance : instances_) {
         try {
-            instance.style->replace(prepared(instance.wanted));
+            instance.style->replace(instance.wanted.plugin, prepared(instance.wanted));
         } catch (const Error& error) {
             messages.push_back(fmt::format("the style \"{}\" stays as it was: {}", instance.name, error.what()));
         }
@@ -140,7 +141,7 @@ std::unique_ptr<ImagePass> StyleSet::image_pass(const ImageKey& key)
     auto pass = make_image_pass(plugin, params, source);
     call_plugin(plugin.name, "prepare", source.file, source.pointer,
                 [&] { pass->prepare(programs_(plugin.shader_folder)); });
-    return std::make_unique<GuardedImagePass>(plugin.name, std::move(pass));
+    return std::make_unique<GuardedImagePass>(Guarded{plugin.name, object_name_}, std::move(pass));
 }
 
 }  // namespace hw

@@ -34,6 +34,9 @@ class StyleSet {
     /// What use() takes: the level's styles, then the plugins that no style of the level hides.
     std::vector<std::string> names() const;
 
+    /// How messages call an object; until then they do not.
+    void set_object_namer(ObjectNamer object_name) { object_name_ = std::move(object_name); }
+
     /// For SceneInput::styles. The pointers stay valid as long as the set lives.
     const std::vector<NamedStyle>& styles() const { return styles_; }
 
@@ -74,6 +77,7 @@ class StyleSet {
     const PluginRegistry& registry_;
     ProgramSource programs_;
     PlainStyle plain_;
+    ObjectNamer object_name_;
     std::map<std::string, StyleDesc> level_styles_;
     StyleSource level_;  ///< Its file and root.
     std::vector<Instance> instances_;

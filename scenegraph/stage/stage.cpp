@@ -30,11 +30,14 @@ bool is_below(const std::filesystem::path& file, const std::vector<std::filesyst
 
 Stage::Stage(Context& context, StageOptions options)
     : options_(std::move(options)),
-      plugins_({.folders = options_.plugin_dirs}),
+      plugins_({.folders = options_.plugin_dirs, .trial = options_.plugin_trial}),
       renderer_(context, read_image),
       styles_(plugins_,
               [this](const std::filesystem::path& folder) -> ProgramCache& { return renderer_.program_cache(folder); })
 {
+    styles_.set_object_namer([this](ObjectId object) {
+        return shown_.world ? scene().nodes[scene().objects[object].node].path : std::string();
+    });
     // Styles first: a wrong name in the level shows at once, not after the model has been loaded.
     Level level = read_level_with(options_.file, options_.style_overrides);
     styles_.set_level(level);

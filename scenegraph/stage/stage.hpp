@@ -30,6 +30,7 @@ struct StageOptions {
     std::filesystem::path file;                      ///< A level file or a bare model.
     std::vector<std::string> style_overrides;        ///< "GLOB=STYLE", stronger than the level's own rules.
     std::vector<std::filesystem::path> plugin_dirs;  ///< Searched beside the installation.
+    Trial plugin_trial = Trial::if_new;
     VisibilityUse visibility_use = VisibilityUse::compiled;
     VisibilityOptions visibility;
     BakedLight baked_light = BakedLight::if_there;

@@ -62,6 +62,7 @@ const std::map<std::string, std::map<std::string, std::set<std::string>>> kRooms
       {"model", {"gltf", "meshes"}},
       {"level", {"json", "model"}},
       {"compiled", {"level"}}}},
+    {"plugin_host", {{"trial", {}}, {"", {"trial"}}}},
     {"render",
      {{"view", {}},
       {"device", {"view"}},

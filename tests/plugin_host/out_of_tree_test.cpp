@@ -145,7 +145,9 @@ TEST(out_of_tree, every_built_in_style_and_a_new_one_build_against_an_installati
         << text_of(log);
     ASSERT_TRUE(run_cmake("--build \"" + (root / "build").string() + "\"", log)) << text_of(log);
 
+    ::setenv("XDG_CACHE_HOME", (root / "cache").c_str(), 1);  // each is tried first
     const PluginRegistry registry({.has_installed = false, .folders = {root / "build" / "plugins"}});
+    ::unsetenv("XDG_CACHE_HOME");
     EXPECT_EQ(registry.plugins().size(), styles.size());
     for (const RefusedPlugin& refused : registry.refused()) ADD_FAILURE() << refused.library << ": " << refused.why;
     const Plugin& fresh = require_plugin(registry, "fresh", PluginKind::style, {});

@@ -113,7 +113,7 @@ TEST(plugin_registry, a_fifo_a_folder_and_a_library_that_is_cut_off_are_left_out
     }
     fs::copy_file(kMisbehaving / "throws_in_make.so", folder / "throws_in_make.so");
     set_log_level(LogLevel::off);
-    const PluginRegistry registry({.has_installed = false, .folders = {folder}});
+    const PluginRegistry registry({.has_installed = false, .folders = {folder}, .trial = Trial::none});
     fs::remove_all(folder);
     EXPECT_THAT(registry.names(PluginKind::style), ElementsAre("throws_in_make")) << "the whole one is good";
     ASSERT_EQ(registry.refused().size(), 5u);

@@ -44,8 +44,8 @@ inline const PluginRegistry& test_registry()
 {
     static const PluginRegistry registry = [] {
         set_log_level(LogLevel::off);
-        return PluginRegistry(
-            PluginPlaces{.has_installed = false, .folders = {kMisbehaving}, .compiled_in = static_plugins()});
+        return PluginRegistry(PluginPlaces{
+            .has_installed = false, .folders = {kMisbehaving}, .compiled_in = static_plugins(), .trial = Trial::none});
     }();
     return registry;
 }

@@ -85,8 +85,10 @@ TEST_F(style_set, a_style_that_throws_while_drawing_is_drawn_plain_from_then_on)
     style.lines(pass, items);
     EXPECT_EQ(pass.drawn_surfaces, 4u);
     ASSERT_EQ(set.failures().size(), 1u);
-    EXPECT_THAT(set.failures()[0],
-                HasSubstr("the style \"bad\" is drawn plain: the plugin \"bad\" failed in surfaces: told to fail"));
+    EXPECT_THAT(
+        set.failures()[0],
+        HasSubstr(
+            "the style \"bad\" is drawn plain: the plugin \"throws_where_told\" failed in surfaces: told to fail"));
 }
 
 TEST_F(style_set, a_style_that_throws_in_its_lines_keeps_its_objects_in_the_picture)

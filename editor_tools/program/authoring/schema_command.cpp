@@ -1,5 +1,7 @@
 
+#include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
+#include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/level/schema.hpp"
 #include "hatchway/plugin_host/make_style.hpp"
@@ -11,7 +13,7 @@ namespace hw {
 namespace {
 
 struct SchemaArguments {
-    std::vector<std::filesystem::path> plugin_dirs;
+    PluginArguments plugins;
     std::filesystem::path out;
 };
 
@@ -20,9 +22,13 @@ std::vector<StyleSchema> style_schemas(const PluginRegistry& registry)
     std::vector<StyleSchema> schemas;
     for (const Plugin& plugin : registry.plugins()) {
         if (plugin.kind != PluginKind::style) continue;
-        SchemaCollector collector;
-        visit_defaults(plugin, collector);
-        schemas.push_back({plugin.name, plugin.summary, collector.params()});
+        try {
+            SchemaCollector collector;
+            visit_defaults(plugin, collector);
+            schemas.push_back({plugin.name, plugin.summary, collector.params()});
+        } catch (const Error& error) {
+            log_warning(std::string(error.what()) + ": the schema is written without it");
+        }
     }
     return schemas;
 }
@@ -30,9 +36,8 @@ std::vector<StyleSchema> style_schemas(const PluginRegistry& registry)
 void write_schema(const SchemaArguments& arguments)
 {
     require_writable(arguments.out, "--out");
-    PluginPlaces places;
-    places.folders = arguments.plugin_dirs;
-    const std::string schema = level_schema(style_schemas(PluginRegistry(places)));
+    const PluginRegistry registry({.folders = arguments.plugins.folders, .trial = arguments.plugins.trial()});
+    const std::string schema = level_schema(style_schemas(registry));
     if (arguments.out.empty())
         print_lines(schema);
     else
@@ -46,7 +51,7 @@ void add_schema_command(CommandLine app)
     auto arguments = std::make_shared<SchemaArguments>();
     CommandLine command =
         app.add_subcommand("schema", "Writes the JSON schema of level files, with all styles' parameters");
-    add_plugin_dir_argument(command, arguments->plugin_dirs);
+    add_plugin_arguments(command, arguments->plugins);
     command.add_option("--out", arguments->out, "The file to write; else it goes to the standard output")
         .option_text("FILE");
     command.callback([arguments] { write_schema(*arguments); });

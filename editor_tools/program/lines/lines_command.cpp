@@ -28,7 +28,7 @@ constexpr double kRadians = std::numbers::pi / 180.0;
 struct LinesArguments {
     fs::path file;
     std::vector<std::string> styles;
-    std::vector<fs::path> plugin_dirs;
+    PluginArguments plugins;
     ShotArguments shot;
     std::string size = "1280x720";
     fs::path out;
@@ -65,7 +65,7 @@ LevelLines lines_of(const LinesArguments& arguments, const Level& level, const S
         pen.crease_rad = crease_rad.value_or(pen.crease_rad);
         return LevelLines(scene, pen);
     }
-    const PluginRegistry registry({.folders = arguments.plugin_dirs});
+    const PluginRegistry registry({.folders = arguments.plugins.folders, .trial = arguments.plugins.trial()});
     return LevelLines(scene, level_pens(level, scene, registry, view), crease_rad);
 }
 
@@ -173,7 +173,7 @@ void add_lines_command(CommandLine app)
     command.add_option("--runs", arguments->runs, "Find the lines so many times and tell the median time")
         .option_text("N")
         .check(whole_number_in(1, 1'000));
-    add_plugin_dir_argument(command, arguments->plugin_dirs);
+    add_plugin_arguments(command, arguments->plugins);
     add_json_argument(command, arguments->json);
     command.callback([arguments] { draw_lines(*arguments); });
 }
