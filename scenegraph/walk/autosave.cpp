@@ -3,8 +3,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/user_folders.hpp"
@@ -17,51 +22,105 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostWalks = 16;  // through one level at once
+constexpr const char* kLock = ".lock";
+constexpr const char* kUnsaved = ".unsaved.json";
+
+/// A hash in place of the file's name: a name may be as long as a file system allows.
+std::string stem_of(const std::string& text)
+{
+    return fmt::format("{:016x}", hash_bytes(std::as_bytes(std::span(text))));
+}
+
+/// The lock of this name, unless another walk has it or nothing can be written here.
+std::optional<Descriptor> taken_lock(const FolderHandle& folder, const std::string& name)
+{
+    Descriptor lock(::openat(folder.descriptor(), name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600));
+    if (!lock.is_open() || ::flock(lock.value(), LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+    // Whoever had it may have removed it since it was opened.
+    struct stat status = {};
+    if (::fstat(lock.value(), &status) != 0 || status.st_nlink == 0) return std::nullopt;
+    return lock;
+}
 
 }  // namespace
 
 Autosave::Autosave(const fs::path& file)
 {
     std::error_code failed;
-    const std::string place = fs::weakly_canonical(fs::absolute(file, failed), failed).string();
-    try {
-        folder_ = user_state_folder();
-        take_number(fmt::format("{:016x}", hash_bytes(std::as_bytes(std::span(place)))));
-        kept_ = left();
-    } catch (const Error& error) {
-        folder_.reset();
-        log_info(std::string(error.what()) + ": changes of this walk are kept only when they are saved");
+    const fs::path place = fs::weakly_canonical(fs::absolute(file, failed), failed);
+    std::string why = "the folder of the level";
+    const auto attempt = [&](auto&& add) {
+        try {
+            add();
+        } catch (const Error& error) {
+            why = error.what();
+        }
+    };
+    attempt([&] { add_place(FolderHandle(file.parent_path()), ".hatchway-" + stem_of(file.filename().string())); });
+    attempt([&] { add_place(user_state_folder(), stem_of(place.string())); });
+    if (places_.empty()) log_info(why + ": changes of this walk are kept only when they are saved");
+    kept_ = left();
+}
+
+Autosave::~Autosave()
+{
+    for (const Place& place : places_) {
+        const std::string stem = place.name.substr(0, place.name.size() - std::string_view(kUnsaved).size());
+        try {
+            place.folder.remove(stem + kLock);
+        } catch (const Error&) {
+            // It is of no harm.
+        }
     }
 }
 
-void Autosave::take_number(const std::string& stem)
+void Autosave::add_place(FolderHandle folder, const std::string& stem)
 {
-    for (int number = 1; number <= kMostWalks; ++number) {
-        const std::string name = fmt::format("{}-{}", stem, number);
-        Descriptor lock(
-            ::openat(folder_->descriptor(), (name + ".lock").c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600));
-        if (!lock.is_open() || ::flock(lock.value(), LOCK_EX | LOCK_NB) != 0) continue;
-        lock_ = std::move(lock);
-        name_ = name + ".unsaved.json";
+    std::vector<std::string> names;
+    for (int number = 1; number <= kMostWalks; ++number) names.push_back(fmt::format("{}-{}", stem, number));
+    std::ranges::stable_partition(names, [&](const std::string& name) {  // what is left there is offered first
+        return ::faccessat(folder.descriptor(), (name + kUnsaved).c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0;
+    });
+    for (const std::string& name : names) {
+        std::optional<Descriptor> lock = taken_lock(folder, name + kLock);
+        if (!lock) continue;
+        places_.push_back({std::move(folder), name + kUnsaved, *std::move(lock)});
         return;
     }
-    throw Error({.what = "too many walks go through one level", .file = folder_->path().string()});
+    throw Error(
+        {.what = "nothing can be kept, or too many walks go through one level", .file = folder.path().string()});
 }
 
 std::string Autosave::left() const
 {
-    if (!folder_) return {};
-    const auto bytes = folder_->read(name_, limits::kMaxLevelFileBytes);
-    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
+    for (const Place& place : places_) {
+        try {
+            const auto bytes = place.folder.read(place.name, limits::kMaxLevelFileBytes);
+            if (bytes) return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
+        } catch (const Error& error) {
+            log_warning(error.what());
+        }
+    }
+    return {};
 }
 
 void Autosave::keep(const std::string& text)
 {
-    if (!folder_ || text == kept_) return;
-    if (text.empty())
-        folder_->remove(name_);
-    else
-        folder_->write(name_, std::as_bytes(std::span(text)));
+    if (text == kept_) return;
+    bool is_kept = text.empty() || places_.empty();
+    std::optional<Error> failure;
+    for (const Place& place : places_) {
+        try {
+            if (is_kept)
+                place.folder.remove(place.name);  // an older text
+            else
+                place.folder.write(place.name, std::as_bytes(std::span(text)));
+            is_kept = true;
+        } catch (const Error& error) {
+            failure = error;
+        }
+    }
+    if (!is_kept) throw *failure;
     kept_ = text;
 }
 

@@ -14,6 +14,8 @@ namespace hw {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr std::size_t kMaxNameBytes = 255;  // of Linux's file systems
+
 std::vector<StyleAssignment> assignments_of(const std::vector<AssignRule>& rules)
 {
     std::vector<StyleAssignment> assignments;
@@ -192,8 +194,12 @@ std::string WalkStyles::told(const std::string& before, const StyleEdit& edit, c
 
 fs::path level_file_for(const fs::path& model)
 {
-    fs::path file = model;
-    return file.replace_extension(".level.json");
+    const std::string ending = ".level.json";
+    std::string name = model.stem().string();
+    std::size_t size = std::min(name.size(), kMaxNameBytes - ending.size());
+    const auto is_inside_character = [&] { return (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80; };  // UTF-8
+    while (size > 0 && size < name.size() && is_inside_character()) --size;
+    return model.parent_path() / (name.substr(0, size) + ending);
 }
 
 bool is_level_file(const fs::path& file)

@@ -56,7 +56,8 @@ class WalkStyles {
     std::string known_text_;           ///< Of the level file, when the stage read it or this wrote it.
 };
 
-/// Where a bare model's level file would stand: "teapot.glb" gives "teapot.level.json" beside it.
+/// Where a bare model's level file would stand: "teapot.glb" gives "teapot.level.json" beside it. A name that would be
+/// too long for a file system loses its end.
 std::filesystem::path level_file_for(const std::filesystem::path& model);
 
 /// Whether `file` is a level file and not a bare model.

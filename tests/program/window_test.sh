@@ -140,6 +140,7 @@ sleep 5
 kill -9 "$walk"
 wait "$walk" 2>/dev/null || true
 [ "$(style_of_assign)" = "$before" ] || fail "the level was saved by itself"
+ls levels/.hatchway-*.unsaved.json >/dev/null 2>&1 || fail "the changes are not kept beside the level"
 "$program" walk "$level" --size 640x480 >out 2>>log &
 walk=$!
 wait_for 60 "the third window" has_window
@@ -151,5 +152,26 @@ is_saved() { [ "$(style_of_assign)" != "$before" ]; }
 wait_for 5 "what the killed walk had not saved" is_saved
 press q
 wait_for_end || fail "Q did not end the last walk"
+walk=
+[ -z "$(ls -A levels | grep '^\.hatchway-')" ] || fail "something was left beside the level: $(ls -A levels)"
+
+# A model whose name is almost as long as a file system allows can be saved as a level.
+stem=$(printf 'a%.0s' $(seq 246))
+cp models/prism.glb "models/$stem.glb"
+"$program" walk "models/$stem.glb" --size 640x480 >out 2>>log &
+walk=$!
+has_long_window() { xdotool search --name 'aaaaaaaa' >/dev/null 2>&1; }
+wait_for 60 "the window of the long name" has_long_window
+xdotool windowfocus --sync "$(xdotool search --name 'aaaaaaaa' | head -n 1)"
+sleep 2
+press Tab
+press ctrl+s
+press ctrl+s
+has_level() { [ -s "models/${stem:2}.level.json" ]; }
+wait_for 10 "the level with the long name" has_level
+sleep 2
+is_gone && fail "saving under a long name ended the walk"
+press q
+wait_for_end || fail "Q did not end the walk of the long name"
 walk=
 echo "walked, turned, restyled, saved, undone, photographed, quit"

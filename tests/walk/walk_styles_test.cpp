@@ -227,6 +227,17 @@ TEST_F(WalkStylesTest, a_name_that_is_too_long_for_a_level_is_told)
 TEST(level_file_for, stands_beside_the_model)
 {
     EXPECT_EQ(hw::level_file_for("models/teapot.glb"), fs::path("models/teapot.level.json"));
+    EXPECT_EQ(hw::level_file_for("a.b.glb"), fs::path("a.b.level.json"));
+}
+
+TEST(level_file_for, keeps_within_what_a_file_system_takes_and_cuts_no_character)
+{
+    const std::string name(246, 'a');
+    EXPECT_EQ(hw::level_file_for("m/" + name + ".glb"), fs::path("m/" + name.substr(0, 244) + ".level.json"));
+    std::string greek;
+    for (int i = 0; i < 123; ++i) greek += "\xce\xb1";
+    EXPECT_EQ(hw::level_file_for(greek + "a.glb").string(), greek.substr(0, 244) + ".level.json");
+    EXPECT_EQ(hw::level_file_for('a' + greek + ".glb").string(), 'a' + greek.substr(0, 242) + ".level.json");
     EXPECT_TRUE(hw::is_level_file("a/hall.level.json"));
     EXPECT_FALSE(hw::is_level_file("a/hall.glb"));
 }

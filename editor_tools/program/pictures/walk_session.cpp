@@ -134,7 +134,7 @@ void WalkSession::frame()
 {
     const double now = now_s();
     const double seconds = std::exchange(last_frame_s_, now);
-    take_input(now - seconds);
+    tell_result([&] { take_input(now - seconds); });
     keep_unsaved();
     reload();
     if (window_.framebuffer_size_px().x < kSmallestWindow_px || window_.framebuffer_size_px().y < kSmallestWindow_px) {
