@@ -28,8 +28,8 @@ const fs::path& own_folder()
     return folder.path();
 }
 
-[[noreturn]] void become_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-                                 const ProgramLimits& limits, int out, int err)
+[[noreturn]] void become(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+                         const ProgramLimits& limits, int out, int err)
 {
     const auto limit = [](__rlimit_resource resource, std::uint64_t most) {
         const rlimit both{most, most};
@@ -88,7 +88,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, double limi
     const auto start = Clock::now();
     own_folder();
     const pid_t child = ::fork();
-    if (child == 0) become_program(arguments, environment, limits, out[1], err[1]);
+    if (child == 0) become(arguments, environment, limits, out[1], err[1]);
     ::close(out[1]);
     ::close(err[1]);
 
@@ -104,6 +104,12 @@ ProgramResult run_program(const std::vector<std::string>& arguments, double limi
     result.exit_code = is_late ? 124 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return result;
+}
+
+void become_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment)
+{
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    become(arguments, environment, {}, nowhere, nowhere);
 }
 
 TemporaryFolder::TemporaryFolder()

@@ -26,6 +26,10 @@ struct ProgramLimits {
 ProgramResult run_program(const std::vector<std::string>& arguments, double limit_s = 60.0,
                           const std::vector<std::string>& environment = {}, const ProgramLimits& limits = {});
 
+/// The same in place of this process, with nothing on its standard streams: for a child that something else watches.
+[[noreturn]] void become_program(const std::vector<std::string>& arguments,
+                                 const std::vector<std::string>& environment = {});
+
 /// A folder of its own for one test, removed at its end.
 class TemporaryFolder {
  public:
