@@ -61,8 +61,9 @@ struct CrashNote {
     /// Writes what happened in the current call, once; false when there is none.
     static bool write(const char* what)
     {
-        const PluginCall* call = current_call.exchange(nullptr);
-        if (call == nullptr) return false;
+        const PluginCall* call = current_call;
+        if (call == nullptr || call->thread_ != ::gettid()) return false;
+        current_call = nullptr;
         const WatchedPlugin& plugin = *call->plugin_;
         SignalText told;
         told.add("hatchway: error: the plugin \"")
@@ -139,6 +140,7 @@ PluginCall::PluginCall(std::string_view plugin, std::string_view doing, std::str
     const PluginCall* outer = current_call;
     if (found == watched().end() || (outer != nullptr && outer->plugin_ == &*found)) return;
     plugin_ = &*found;
+    thread_ = ::gettid();
     const std::string object = drawn.empty() ? "" : ", drawing " + plain_text(drawn);
     std::snprintf(text_.data(), text_.size(), " in %.*s%s", static_cast<int>(doing.size()), doing.data(),
                   object.c_str());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <array>
 #include <string>
 #include <string_view>
@@ -18,8 +20,9 @@ struct WatchedPlugin {
 /// the same and ends with code 2. Until the first plugin is watched, no handler is installed.
 void watch_plugin(WatchedPlugin plugin);
 
-/// What a plugin is being asked for, while this lives. One thread; calls nest, and of one within a call of the same
-/// plugin the outer is noted. Costs a comparison unless some plugin is watched.
+/// What a plugin is being asked for, while this lives. From one thread, whose crashes alone are noted: others may work
+/// for the host. Calls nest, and of one within a call of the same plugin the outer is noted. Costs a comparison unless
+/// some plugin is watched.
 class PluginCall {
  public:
     /// `drawn` names the objects that the call is about; empty: none.
@@ -36,6 +39,7 @@ class PluginCall {
 
     const WatchedPlugin* plugin_ = nullptr;  ///< Null: nobody watches it.
     const PluginCall* outer_ = nullptr;
+    pid_t thread_ = 0;
     std::array<char, 480> text_;  ///< Complete when the crash comes: nothing may be allocated then.
 };
 
