@@ -71,12 +71,12 @@ std::vector<fs::path> write_new_style(const std::string& name, const fs::path& p
         files.emplace_back(replaced(file.to, "@name@", name), std::move(text));
     }
     FolderDraft draft(folder);
-    std::vector<fs::path> written;
-    for (const auto& [file, text] : files) {
-        write_file_atomically(draft.path() / file, text);
-        written.push_back(folder / file);
-    }
+    draft.fill([&](const fs::path& place) {
+        for (const auto& [file, text] : files) write_file_atomically(place / file, text);
+    });
     draft.put_new();
+    std::vector<fs::path> written;
+    for (const auto& [file, text] : files) written.push_back(folder / file);
     return written;
 }
 

@@ -42,6 +42,16 @@ std::optional<Descriptor> taken_lock(const FolderHandle& folder, const std::stri
     return lock;
 }
 
+/// Removes a file where that can be done; one that stays does no harm.
+void forget(const FolderHandle& folder, const std::string& name)
+{
+    try {
+        folder.remove(name);
+    } catch (const Error& error) {
+        log_debug(error.what());
+    }
+}
+
 }  // namespace
 
 Autosave::Autosave(const fs::path& file)
@@ -66,11 +76,7 @@ Autosave::~Autosave()
 {
     for (const Place& place : places_) {
         const std::string stem = place.name.substr(0, place.name.size() - std::string_view(kUnsaved).size());
-        try {
-            place.folder.remove(stem + kLock);
-        } catch (const Error&) {
-            // It is of no harm.
-        }
+        forget(place.folder, stem + kLock);
     }
 }
 
@@ -93,34 +99,40 @@ void Autosave::add_place(FolderHandle folder, const std::string& stem)
 
 std::string Autosave::left() const
 {
+    std::string newest;
+    fs::file_time_type newest_time = fs::file_time_type::min();
     for (const Place& place : places_) {
         try {
             const auto bytes = place.folder.read(place.name, limits::kMaxLevelFileBytes);
-            if (bytes) return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
+            std::error_code failed;
+            const fs::file_time_type time = fs::last_write_time(place.folder.path() / place.name, failed);
+            if (!bytes || failed || time < newest_time) continue;
+            newest.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+            newest_time = time;
         } catch (const Error& error) {
             log_warning(error.what());
         }
     }
-    return {};
+    return newest;
 }
 
 void Autosave::keep(const std::string& text)
 {
     if (text == kept_) return;
-    bool is_kept = text.empty() || places_.empty();
+    const Place* taker = nullptr;
     std::optional<Error> failure;
     for (const Place& place : places_) {
+        if (text.empty() || taker != nullptr) break;
         try {
-            if (is_kept)
-                place.folder.remove(place.name);  // an older text
-            else
-                place.folder.write(place.name, std::as_bytes(std::span(text)));
-            is_kept = true;
+            place.folder.write(place.name, std::as_bytes(std::span(text)));
+            taker = &place;
         } catch (const Error& error) {
             failure = error;
         }
     }
-    if (!is_kept) throw *failure;
+    if (failure && taker == nullptr) throw *failure;
+    for (const Place& place : places_)
+        if (&place != taker) forget(place.folder, place.name);  // an older text
     kept_ = text;
 }
 

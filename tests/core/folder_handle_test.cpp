@@ -150,7 +150,8 @@ TEST(folder_draft, a_kill_at_any_moment_leaves_the_old_folder_or_the_new)
     const auto put = [&](unsigned round) {
         hw::FolderDraft draft(place);
         for (int i = 0; i < kFiles; ++i)
-            hw::write_file_atomically(draft.path() / std::to_string(i), std::to_string(round));
+            draft.fill(
+                [&](const auto& path) { hw::write_file_atomically(path / std::to_string(i), std::to_string(round)); });
         draft.put();
     };
     put(0);
@@ -166,7 +167,7 @@ TEST(folder_draft, what_is_not_put_is_gone)
     const TemporaryFolder folder;
     {
         hw::FolderDraft draft(folder.path() / "map/");
-        hw::write_file_atomically(draft.path() / "a", std::string_view("a"));
+        draft.fill([](const auto& path) { hw::write_file_atomically(path / "a", std::string_view("a")); });
     }
     EXPECT_EQ(count_in(folder.path()), 0u);
 }
@@ -177,7 +178,7 @@ TEST(folder_draft, replaces_a_link_and_not_what_it_leads_to)
     folder.write("outside/file", "old");
     fs::create_directory_symlink("outside", folder.path() / "map");
     hw::FolderDraft draft(folder.path() / "map");
-    hw::write_file_atomically(draft.path() / "file", std::string_view("new"));
+    draft.fill([](const auto& path) { hw::write_file_atomically(path / "file", std::string_view("new")); });
     draft.put();
     EXPECT_FALSE(fs::is_symlink(folder.path() / "map"));
     EXPECT_EQ(hw::read_text_file(folder.path() / "map/file", 100), "new");

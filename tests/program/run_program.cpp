@@ -1,8 +1,10 @@
 #include "tests/program/run_program.hpp"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,6 +39,7 @@ const fs::path& own_folder()
     };
     limit(RLIMIT_CPU, limits.cpu_s);
     limit(RLIMIT_DATA, limits.memory_bytes);
+    if (limits.is_root_like_others) ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0);
     ::setenv("XDG_CACHE_HOME", (own_folder() / "cache").c_str(), 1);
     ::setenv("XDG_STATE_HOME", (own_folder() / "state").c_str(), 1);
     for (const std::string& setting : environment) {

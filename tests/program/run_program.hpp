@@ -17,8 +17,9 @@ struct ProgramResult {
 
 /// What a run may take; 0: as much as it likes.
 struct ProgramLimits {
-    unsigned cpu_s = 0;              ///< Of all its threads together.
-    std::uint64_t memory_bytes = 0;  ///< Private, writable.
+    unsigned cpu_s = 0;                ///< Of all its threads together.
+    std::uint64_t memory_bytes = 0;    ///< Private, writable.
+    bool is_root_like_others = false;  ///< What the modes of files forbid is forbidden to root, too.
 };
 
 /// Runs the built program with these arguments, its cache and state in a folder that goes away. `environment` are

@@ -89,15 +89,17 @@ void check_outputs(const MapArguments& arguments)
 void write_map(const MapLevels& map, const MapArguments& arguments)
 {
     const Pixels preview = arguments.preview.empty() ? Pixels() : map_preview(map);
-    FolderDraft draft(arguments.folder);
-    for (std::size_t i = 0; i < map.levels.size(); ++i) write_png(level_file(draft.path(), i), map.levels[i]);
     JsonValue json = JsonValue::object();
     json.set("format", "hatchway-map/1").set("kind", std::string(facts_of(map.kind).name));
     json.set("levels", static_cast<int>(map.levels.size())).set("size_m", map.size_m);
     if (map.kind == MapKind::hatch) json.set("spacing_texels", map.spacing_texels);
-    write_json(draft.path() / kMapFile, json);
     const bool is_preview_inside = is_in_folder(arguments.preview, arguments.folder);
-    if (is_preview_inside) write_png(draft.path() / arguments.preview.filename(), preview);
+    FolderDraft draft(arguments.folder);
+    draft.fill([&](const std::filesystem::path& folder) {
+        for (std::size_t i = 0; i < map.levels.size(); ++i) write_png(level_file(folder, i), map.levels[i]);
+        write_json(folder / kMapFile, json);
+        if (is_preview_inside) write_png(folder / arguments.preview.filename(), preview);
+    });
     draft.put();
     if (!is_preview_inside && !arguments.preview.empty()) write_png(arguments.preview, preview);
 }

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/temporary_name.hpp"
@@ -22,13 +23,26 @@ fs::path without_last_slash(const fs::path& path)
     return path.has_filename() ? path : path.parent_path();
 }
 
-FolderHandle made_beside(const FolderHandle& parent, std::string& name)
+/// The error of something below `from`, told of what will stand below `to`.
+[[noreturn]] void throw_of_place(const Error& error, const fs::path& from, const fs::path& to)
+{
+    ErrorParts parts = error.parts();
+    const fs::path inside = fs::path(parts.file).lexically_relative(from);
+    if (!inside.empty() && *inside.begin() != "..") parts.file = (inside == "." ? to : to / inside).string();
+    throw Error(std::move(parts));
+}
+
+FolderHandle made_beside(const FolderHandle& parent, const std::string& place, std::string& name)
 {
     remove_abandoned(parent);
     while (true) {
         name = temporary_name();
-        FolderHandle folder = parent.made_folder(name, kFolderMode);
-        if (lock_temporary(folder.descriptor())) return folder;
+        try {
+            FolderHandle folder = parent.made_folder(name, kFolderMode);
+            if (lock_temporary(folder.descriptor())) return folder;
+        } catch (const Error& error) {
+            throw_of_place(error, parent.path() / name, parent.path() / place);
+        }
     }
 }
 
@@ -45,13 +59,23 @@ FolderHandle made_beside(const FolderHandle& parent, std::string& name)
 FolderDraft::FolderDraft(const fs::path& place)
     : parent_(without_last_slash(place).parent_path()),
       name_(without_last_slash(place).filename().string()),
-      folder_(made_beside(parent_, temporary_))
+      folder_(made_beside(parent_, name_, temporary_))
 {
 }
 
 FolderDraft::~FolderDraft()
 {
     if (!temporary_.empty()) remove_flat_folder(parent_, temporary_);
+}
+
+void FolderDraft::fill(const std::function<void(const fs::path&)>& write) const
+{
+    const fs::path folder = parent_.path() / temporary_;
+    try {
+        write(folder);
+    } catch (const Error& error) {
+        throw_of_place(error, folder, parent_.path() / name_);
+    }
 }
 
 void FolderDraft::sync() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "hatchway/core/files/folder_handle.hpp"
@@ -17,8 +18,9 @@ class FolderDraft {
     FolderDraft(const FolderDraft&) = delete;
     FolderDraft& operator=(const FolderDraft&) = delete;
 
-    /// Where to write the files. It holds no folders.
-    std::filesystem::path path() const { return parent_.path() / temporary_; }
+    /// Calls `write` with the folder to write the files into. It holds no folders. An hw::Error of a file in it names
+    /// the file as it would be called at the place.
+    void fill(const std::function<void(const std::filesystem::path& folder)>& write) const;
 
     /// Replaces a folder of files that is at the place, or a link there; makes it new else. Once only.
     void put();

@@ -6,10 +6,12 @@
 
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "hatchway/io/level/edit.hpp"
 #include "hatchway/walk/autosave.hpp"
+#include "tests/program/hostile/outputs.hpp"
 #include "tests/program/hostile/traced_run.hpp"
 #include "tests/program/run_program.hpp"
 
@@ -28,38 +30,16 @@ struct Output {
     std::function<void(bool is_new)> write;  ///< As the body of run_traced().
 };
 
-bool is_temporary(const std::string& name)
-{
-    return name.starts_with(".hatchway-") && name.ends_with(".tmp");
-}
-
-/// The bytes of a file, or of all files of a folder.
-std::map<std::string, std::string> state_of(const fs::path& output)
-{
-    std::map<std::string, std::string> state;
-    if (fs::is_regular_file(output)) state[""] = bytes_of(output);
-    if (fs::is_directory(output))
-        for (const auto& entry : fs::directory_iterator(output))
-            if (!is_temporary(entry.path().filename().string()))
-                state[entry.path().filename().string()] = bytes_of(entry.path());
-    return state;
-}
-
 class kills : public testing::Test {
  protected:
     kills() { fs::copy_file(kContent / "models" / "prism.glb", folder_.path() / "prism.glb"); }
 
-    /// An output of a command of the program with other options for old and new; NAME in them is the output.
-    Output output_of(const std::string& name, const std::vector<std::string>& words, const std::string& option,
-                     const std::string& old_value, const std::string& new_value) const
+    Output output_of(const CommandOutput& command) const
     {
-        return {
-            name, [=, this](bool is_new) {
-                std::vector<std::string> arguments = words;
-                arguments.insert(arguments.end(), {option, is_new ? new_value : old_value, "--out", folder_ / name});
-                begin_trace();
-                become_program(arguments);
-            }};
+        return {command.name, [&command, this](bool is_new) {
+                    begin_trace();
+                    become_program(command.arguments(folder_ / "prism.glb", folder_.path(), is_new));
+                }};
     }
     void expect_old_or_new(const Output& output);
 
@@ -76,14 +56,6 @@ class kills : public testing::Test {
         fs::remove_all(folder_ / name);
         fs::copy(saved_.path() / name, folder_ / name, fs::copy_options::recursive);
     }
-    int left_behind() const
-    {
-        int count = 0;
-        for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
-            count += is_temporary(entry.path().filename().string()) ? 1 : 0;
-        return count;
-    }
-
     TemporaryFolder saved_;
 };
 
@@ -131,7 +103,7 @@ void kills::expect_old_or_new(const Output& output)
         if (end.is_killed && ++killed % kCleanEvery != 0) return;
         write_whole(output, true);
         EXPECT_EQ(state_of(folder_ / output.name), new_state);
-        EXPECT_EQ(left_behind(), 0) << "after a whole run";
+        EXPECT_EQ(left_behind_in(folder_.path()), 0) << "after a whole run";
     };
     const std::uint64_t changing = std::min(counts[Calls::changing], is_whole ? counts[Calls::changing] : wanted / 2);
     for (const std::uint64_t number : some_of(counts[Calls::changing], changing, random))
@@ -148,33 +120,32 @@ void kills::expect_old_or_new(const Output& output)
 
 TEST_F(kills, leave_the_old_map_s_folder_or_the_new)
 {
-    expect_old_or_new(output_of("map", {"map", "hatch"}, "--width", "64", "128"));
+    expect_old_or_new(output_of(kMapFolder));
 }
 
 TEST_F(kills, leave_the_old_compiled_level_or_the_new)
 {
-    expect_old_or_new(output_of("prism.compiled", {"compile", folder_ / "prism.glb"}, "--pvs", "fast", "full"));
+    expect_old_or_new(output_of(kCompiled));
 }
 
 TEST_F(kills, leave_the_old_baked_light_or_the_new)
 {
-    expect_old_or_new(
-        output_of("a.lightmap", {"bake", folder_ / "prism.glb", "--samples", "4"}, "--luxels-per-m", "1", "2"));
+    expect_old_or_new(output_of(kBaked));
 }
 
 TEST_F(kills, leave_the_old_picture_or_the_new)
 {
-    expect_old_or_new(output_of("a.png", {"render", folder_ / "prism.glb"}, "--size", "32x32", "40x40"));
+    expect_old_or_new(output_of(kPicture));
 }
 
 TEST_F(kills, leave_the_old_svg_or_the_new)
 {
-    expect_old_or_new(output_of("a.svg", {"lines", folder_ / "prism.glb"}, "--size", "320x240", "400x300"));
+    expect_old_or_new(output_of(kSvg));
 }
 
 TEST_F(kills, leave_the_old_pdf_or_the_new)
 {
-    expect_old_or_new(output_of("a.pdf", {"lines", folder_ / "prism.glb"}, "--size", "320x240", "400x300"));
+    expect_old_or_new(output_of(kPdf));
 }
 
 TEST_F(kills, leave_the_old_level_or_the_saved_one)
