@@ -20,6 +20,24 @@ std::string drawn(Items items, const ObjectNamer& object_name)
     return items.size() == 1 ? first : fmt::format("{} and {} more", first, items.size() - 1);
 }
 
+/// Shows what another pass shows, and draws nothing.
+class IdlePass final : public Pass {
+ public:
+    explicit IdlePass(const Pass& pass) : pass_(pass) {}
+    const View& view() const override { return pass_.view(); }
+    Layer layer() const override { return pass_.layer(); }
+    Items opaque_scene() const override { return pass_.opaque_scene(); }
+    Image image(const ImageKey& key, std::size_t output) const override { return pass_.image(key, output); }
+    Images render(const TargetDesc&, Program, const Uniforms&, Items) override { return {}; }
+    Images filter(const TargetDesc&, Program, const Uniforms&) override { return {}; }
+    void surfaces(Program, const Uniforms&, Items) override {}
+    void lines(const LineLook&, Items) override {}
+    void lines(Program, const Uniforms&, const LineLook&, Items) override {}
+
+ private:
+    const Pass& pass_;
+};
+
 }  // namespace
 
 void PlainStyle::prepare(ProgramCache& programs)
@@ -56,42 +74,58 @@ void GuardedStyle::replace(const std::string& plugin, std::unique_ptr<Style> sty
     failure_.clear();
 }
 
-template <typename Call>
-void GuardedStyle::attempt(const char* doing, Items items, Call&& call)
+std::string GuardedStyle::culprit(Pass& pass, Items items, void (Style::*draw)(Pass&, Items))
+{
+    if (items.empty() || !guarded_.object_name) return {};
+    IdlePass idle(pass);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        try {
+            ((*style_).*draw)(idle, items.subspan(i, 1));
+        } catch (...) {
+            return " at the object \"" + guarded_.object_name(items[i].object()) + '"';
+        }
+    }
+    return fmt::format(" at the object \"{}\" and {} more together", guarded_.object_name(items[0].object()),
+                       items.size() - 1);
+}
+
+void GuardedStyle::attempt(const char* doing, Pass& pass, Items items, void (Style::*draw)(Pass&, Items))
 {
     if (!failure_.empty()) return;
     const PluginCall noted(guarded_.plugin, doing, drawn(items, guarded_.object_name));
     try {
-        call_plugin(guarded_.plugin, doing, "", "", std::forward<Call>(call));
+        call_plugin(guarded_.plugin, doing, "", "", [&] { ((*style_).*draw)(pass, items); });
     } catch (const Error& error) {
-        failure_ = fmt::format("the style \"{}\" is drawn plain: {}", name_, error.what());
+        failure_ =
+            fmt::format("the style \"{}\" is drawn plain{}: {}", name_, culprit(pass, items, draw), error.what());
         log_error(failure_);
     }
 }
 
 void GuardedStyle::visit_params(ParamVisitor& visitor)
 {
-    attempt("visit_params", {}, [&] { style_->visit_params(visitor); });
+    call_plugin(guarded_.plugin, "visit_params", "", "", [&] { style_->visit_params(visitor); });
 }
 
 void GuardedStyle::images(Pass& pass, Items items)
 {
-    attempt("images", items, [&] { style_->images(pass, items); });
+    attempt("images", pass, items, &Style::images);
 }
 
 void GuardedStyle::surfaces(Pass& pass, Items items)
 {
-    attempt("surfaces", items, [&] { style_->surfaces(pass, items); });
+    attempt("surfaces", pass, items, &Style::surfaces);
     if (!failure_.empty()) fallback_.surfaces(pass, items);
 }
 
 void GuardedStyle::lines(Pass& pass, Items items)
 {
-    attempt("lines", items, [&] { style_->lines(pass, items); });
+    attempt("lines", pass, items, &Style::lines);
 }
 
-GuardedImagePass::GuardedImagePass(Guarded guarded, std::unique_ptr<ImagePass> pass)
-    : guarded_(std::move(guarded)), pass_(std::move(pass))
+GuardedImagePass::GuardedImagePass(Guarded guarded, std::unique_ptr<ImagePass> pass,
+                                   std::function<void(const std::string&)> tell)
+    : guarded_(std::move(guarded)), pass_(std::move(pass)), tell_(std::move(tell))
 {
     needs_ = call_plugin(guarded_.plugin, "needs", "", "", [&] { return pass_->needs(); });
 }
@@ -110,7 +144,7 @@ Images GuardedImagePass::make(Pass& pass, Items items)
         return call_plugin(guarded_.plugin, "make", "", "", [&] { return pass_->make(pass, items); });
     } catch (const Error& error) {
         has_failed_ = true;
-        log_error(fmt::format("the image pass \"{}\" makes no image: {}", guarded_.plugin, error.what()));
+        tell_(fmt::format("the image pass \"{}\" makes no image: {}", guarded_.plugin, error.what()));
         return {};
     }
 }

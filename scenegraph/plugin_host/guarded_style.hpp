@@ -31,7 +31,7 @@ struct Guarded {
 };
 
 /// A plugin's style in the hands of the renderer, which knows no plugin: when the style throws while drawing, that is
-/// logged once and `fallback` draws from then on.
+/// logged once, with the object at which it does, and `fallback` draws from then on.
 class GuardedStyle final : public Style {
  public:
     /// `style` is prepared and so is `fallback`, which must outlive this.
@@ -51,8 +51,9 @@ class GuardedStyle final : public Style {
     void lines(Pass& pass, Items items) override;
 
  private:
-    template <typename Call>
-    void attempt(const char* doing, Items items, Call&& call);
+    void attempt(const char* doing, Pass& pass, Items items, void (Style::*draw)(Pass&, Items));
+    /// Where it throws, in words: the first object with which it does so alone, too.
+    std::string culprit(Pass& pass, Items items, void (Style::*draw)(Pass&, Items));
 
     std::string name_;
     Guarded guarded_;
@@ -62,10 +63,10 @@ class GuardedStyle final : public Style {
     std::string failure_;
 };
 
-/// The same for an image pass: after a failure it makes no image, and styles draw without.
+/// The same for an image pass: after a failure it makes no image, and styles draw without. `tell` hears of it.
 class GuardedImagePass final : public ImagePass {
  public:
-    GuardedImagePass(Guarded guarded, std::unique_ptr<ImagePass> pass);
+    GuardedImagePass(Guarded guarded, std::unique_ptr<ImagePass> pass, std::function<void(const std::string&)> tell);
     ~GuardedImagePass() override;
 
     Needs needs() const override { return needs_; }
@@ -75,6 +76,7 @@ class GuardedImagePass final : public ImagePass {
  private:
     Guarded guarded_;
     std::unique_ptr<ImagePass> pass_;
+    std::function<void(const std::string&)> tell_;
     Needs needs_;
     bool has_failed_ = false;
 };

@@ -102,6 +102,7 @@ std::vector<std::string> StyleSet::names() const
 std::vector<std::string> StyleSet::prepare_again()
 {
     std::vector<std::string> messages;
+    image_failures_.clear();
     for (Instance& instance : instances_) {
         try {
             instance.style->replace(instance.wanted.plugin, prepared(instance.wanted));
@@ -114,7 +115,7 @@ std::vector<std::string> StyleSet::prepare_again()
 
 std::vector<std::string> StyleSet::failures() const
 {
-    std::vector<std::string> messages;
+    std::vector<std::string> messages = image_failures_;
     for (const Instance& instance : instances_)
         if (!instance.style->failure().empty()) messages.push_back(instance.style->failure());
     return messages;
@@ -141,7 +142,11 @@ std::unique_ptr<ImagePass> StyleSet::image_pass(const ImageKey& key)
     auto pass = make_image_pass(plugin, params, source);
     call_plugin(plugin.name, "prepare", source.file, source.pointer,
                 [&] { pass->prepare(programs_(plugin.shader_folder)); });
-    return std::make_unique<GuardedImagePass>(Guarded{plugin.name, object_name_}, std::move(pass));
+    return std::make_unique<GuardedImagePass>(Guarded{plugin.name, object_name_}, std::move(pass),
+                                              [this](const std::string& failure) {
+                                                  log_error(failure);
+                                                  image_failures_.push_back(failure);
+                                              });
 }
 
 }  // namespace hw

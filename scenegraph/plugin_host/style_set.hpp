@@ -44,7 +44,7 @@ class StyleSet {
     /// keeps its last good instance; its message is returned.
     std::vector<std::string> prepare_again();
 
-    /// Why styles stopped drawing, one message for each that did.
+    /// Why styles stopped drawing and image passes made nothing, one message for each that did.
     std::vector<std::string> failures() const;
 
     /// For SceneInput::image_passes. A pass that is missing or fails is logged and gives null. Valid as long as the
@@ -78,6 +78,7 @@ class StyleSet {
     ProgramSource programs_;
     PlainStyle plain_;
     ObjectNamer object_name_;
+    std::vector<std::string> image_failures_;
     std::map<std::string, StyleDesc> level_styles_;
     StyleSource level_;  ///< Its file and root.
     std::vector<Instance> instances_;

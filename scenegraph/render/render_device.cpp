@@ -17,7 +17,7 @@ RenderDevice::RenderDevice(Context& own_context, ImageReader read_image)
 
 void RenderDevice::tell_once(const std::string& text)
 {
-    if (told.insert(text).second) log_error(text);
+    if (told.insert(text).second && !is_rehearsal) log_error(text);
 }
 
 void draw_full_screen(RenderDevice& device, const GpuProgram& program, const Uniforms& uniforms)

@@ -17,7 +17,7 @@ struct RenderDevice {
     /// `read_image` decodes textures of styles.
     RenderDevice(Context& own_context, ImageReader read_image);
 
-    /// Logs a text as an error, once.
+    /// Logs a text as an error, once; in a rehearsal only notes it.
     void tell_once(const std::string& text);
 
     Context& context;
@@ -31,6 +31,7 @@ struct RenderDevice {
     GpuVertexArray no_vertices;  ///< For full-screen passes.
     GpuBuffer frame_block;       ///< HwFrame of the view that is being drawn.
     std::set<std::string> told;  ///< By tell_once().
+    bool is_rehearsal = false;   ///< FrameOptions::is_rehearsal of the frame that is drawn.
 };
 
 /// Fills the bound target by a program for full-screen passes.

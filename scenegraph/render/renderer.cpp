@@ -111,7 +111,7 @@ void Renderer::State::count(FrameStats& stats, const Frame& frame)
     stats.objects_visible = static_cast<int>(frame.view.visible.objects.size());
     stats.objects_total = static_cast<int>(scene->input.scene->objects.size());
     stats.triangles = counters.triangles;
-    stats.lines = counters.lines;
+    stats.lines = line_counters.lines;
     stats.draw_calls = counters.draw_calls;
     stats.state_changes = counters.state_changes;
     stats.program_switches = counters.program_switches;
@@ -136,6 +136,7 @@ FrameStats Renderer::draw(const View& camera, const FrameOptions& options)
     PhaseClock clock(options.is_timed);
     device.state.forget();
     device.state.reset_counters();
+    device.is_rehearsal = options.is_rehearsal;
 
     if (options.shown_image) scene.require_image(*options.shown_image);
     FrameView view{camera, options, state_->target_of(camera.size_px, options.samples), {}, {}, {}};
@@ -168,6 +169,16 @@ FrameStats Renderer::draw(const View& camera, const FrameOptions& options)
     state_->count(stats, frame);
     stats.total_ms = clock.total_ms();
     return stats;
+}
+
+std::vector<std::string> Renderer::remarks() const
+{
+    return {state_->device.told.begin(), state_->device.told.end()};
+}
+
+std::vector<ProgramText> Renderer::style_shaders() const
+{
+    return state_->device.programs.style_shaders();
 }
 
 Pixels Renderer::read_picture()

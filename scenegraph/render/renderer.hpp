@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "hatchway/core/pixels.hpp"
+#include "hatchway/render/device/program_store.hpp"
 #include "hatchway/render/device/texture_store.hpp"
 #include "hatchway/render/view/frame_options.hpp"
 #include "hatchway/render/view/frame_stats.hpp"
@@ -37,6 +39,12 @@ class Renderer {
     /// Draws a frame. Deterministic: depends on the scene and these arguments alone. Never throws for a style's fault;
     /// throws hw::Error when FrameOptions::shown_image names an image that nobody makes.
     FrameStats draw(const View& camera, const FrameOptions& options);
+
+    /// What has gone wrong in frames without ending them, and in rehearsals what styles say in vain (an image without a
+    /// need, a uniform that no shader has): each text once.
+    std::vector<std::string> remarks() const;
+    /// The shaders of styles and image passes as they have been compiled by now, with each combination of features.
+    std::vector<ProgramText> style_shaders() const;
 
     /// The last picture, RGB, sRGB, top row first.
     Pixels read_picture();

@@ -104,6 +104,7 @@ Images StylePass::filter(const TargetDesc& target, Program program, const Unifor
 {
     const LinkedProgram* linked = frame_.device.programs.full_screen(program);
     if (linked == nullptr) return {};
+    remark_unheard(program, uniforms);
     GpuTarget* made = transient(target, false);
     if (made == nullptr) return {};
     draw_full_screen(frame_.device, linked->gpu, uniforms);
@@ -111,8 +112,18 @@ Images StylePass::filter(const TargetDesc& target, Program program, const Unifor
     return images_of(*made, target);
 }
 
+void StylePass::remark_unheard(Program program, const Uniforms& uniforms) const
+{
+    if (!frame_.view.options.is_rehearsal) return;
+    for (const Uniforms::Entry& entry : uniforms.entries())
+        if (!frame_.device.programs.is_named(program, entry.name.substr(0, entry.name.find('['))))
+            frame_.device.tell_once(drawer_.who + " sets \"" + entry.name +
+                                    "\", a uniform that none of its shaders has");
+}
+
 FaceCall StylePass::call_of(Program program, const Uniforms& uniforms, Items items) const
 {
+    remark_unheard(program, uniforms);
     return {program, uniforms, of_this_frame(items), &drawer_.needs, &drawer_.maps};
 }
 
@@ -143,7 +154,9 @@ void StylePass::lines(const LineLook& look, Items items)
 
 void StylePass::lines(Program pen, const Uniforms& uniforms, const LineLook& look, Items items)
 {
-    if (frame_.device.programs.line(pen, 0) != nullptr) draw_lines({pen, &uniforms}, look, items);
+    if (frame_.device.programs.line(pen, 0) == nullptr) return;
+    remark_unheard(pen, uniforms);
+    draw_lines({pen, &uniforms}, look, items);
 }
 
 void StylePass::draw_lines(const LinePen& pen, const LineLook& look, Items items)

@@ -62,6 +62,17 @@ void keep(const FolderHandle& cache, const Level& level, const CompiledLevel& co
     }
 }
 
+/// One message for all, and what can be done.
+void tell_shortfalls(const Level& level, const std::vector<Shortfall>& shortfalls)
+{
+    if (shortfalls.empty()) return;
+    std::string text = level.file.string() +
+                       ": too fine for the compiler's budget: the picture is right, but more is drawn than need be";
+    for (const Shortfall& shortfall : shortfalls) text += "; " + shortfall_text(shortfall);
+    log_info(text + (level.structure ? ". Fewer nodes in the level's \"structure\", large walls and floors alone, help"
+                                     : ". A level whose \"structure\" names large walls and floors alone helps"));
+}
+
 }  // namespace
 
 FolderHandle opened_cache(const CompiledCache& cache)
@@ -82,8 +93,7 @@ CompiledLevel compile_world(const Level& level, const LevelWorld& world, const V
     compiled.key = compiled_level_key(world.geometry_key, world.scene, level, options);
     compiled.effort = options.effort;
     compiled.visibility = build_visibility(world.scene, level, world.chunks, told);
-    for (const Shortfall& shortfall : compiled.visibility.stats.shortfalls)
-        log_info("Too fine for the compiler's budget, more is drawn than need be: " + shortfall_text(shortfall));
+    tell_shortfalls(level, compiled.visibility.stats.shortfalls);
     return compiled;
 }
 
@@ -91,7 +101,9 @@ std::optional<CompiledLevel> find_compiled_world(const Level& level, const Level
                                                  const VisibilityOptions& options, const CompiledCache& cache)
 {
     const std::optional<FolderHandle> folder = opened(cache);
-    return folder ? found_in(*folder, level, world, options) : std::nullopt;
+    std::optional<CompiledLevel> found = folder ? found_in(*folder, level, world, options) : std::nullopt;
+    if (found) found->is_from_cache = true;
+    return found;
 }
 
 CompiledLevel find_or_compile_world(const Level& level, const LevelWorld& world, const VisibilityOptions& options,
@@ -99,7 +111,7 @@ CompiledLevel find_or_compile_world(const Level& level, const LevelWorld& world,
 {
     const std::optional<FolderHandle> folder = cache != nullptr ? opened(*cache) : std::nullopt;
     if (folder)
-        if (auto found = found_in(*folder, level, world, options)) return std::move(*found);
+        if (auto found = find_compiled_world(level, world, options, *cache)) return std::move(*found);
     CompiledLevel compiled = compile_world(level, world, options);
     if (folder) keep(*folder, level, compiled, world);
     return compiled;

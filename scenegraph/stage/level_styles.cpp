@@ -1,5 +1,11 @@
 #include "hatchway/stage/level_styles.hpp"
 
+#include <fmt/format.h>
+
+#include <map>
+
+#include "hatchway/core/error.hpp"
+
 namespace hw {
 namespace {
 
@@ -27,6 +33,21 @@ std::vector<StyledObject> styled_objects(std::span<const ObjectLook> looks, Styl
     return objects;
 }
 
+void forget_unknown_styles(const Level& level, const PluginRegistry& registry, Scene& scene)
+{
+    if (level.file != level.scene_file) return;
+    std::map<std::string, std::size_t> unknown;
+    for (Node& node : scene.nodes) {
+        if (!node.style || registry.find(*node.style, PluginKind::style)) continue;
+        ++unknown[*node.style];
+        node.style.reset();
+    }
+    for (const auto& [name, count] : unknown)
+        scene.doubts.push_back(fmt::format(
+            "{}: {} node{} the style \"{}\", which no plugin is and no level defines: drawn as if nothing were said",
+            scene.file, count, count == 1 ? " names" : "s name", name));
+}
+
 std::vector<ObjectPens> level_pens(const Level& level, const Scene& scene, const PluginRegistry& registry,
                                    const View& view)
 {
@@ -34,7 +55,11 @@ std::vector<ObjectPens> level_pens(const Level& level, const Scene& scene, const
     StyleSet styles(registry, [&](const std::filesystem::path&) -> ProgramCache& { return programs; });
     styles.set_level(level);
     const std::vector<StyledObject> objects = styled_objects(resolve_looks(level, scene, kFallbackStyle), styles);
-    return object_pens(scene, styles.styles(), objects, view);
+    styles.set_object_namer([&](std::uint32_t object) { return scene.nodes[scene.objects[object].node].path; });
+    std::vector<ObjectPens> pens = object_pens(scene, styles.styles(), objects, view);
+    const std::vector<std::string> failures = styles.failures();
+    if (!failures.empty()) throw Error({.what = failures.front(), .file = level.file.string(), .fault = Fault::ours});
+    return pens;
 }
 
 }  // namespace hw

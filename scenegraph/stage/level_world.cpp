@@ -12,7 +12,9 @@
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
 #include "hatchway/stage/level_light.hpp"
+#include "hatchway/world/hidden_objects.hpp"
 #include "hatchway/world/light/bake.hpp"
+#include "hatchway/world/looks.hpp"
 
 namespace hw {
 namespace {
@@ -69,6 +71,13 @@ void add_baked_light(const Level& level, LevelWorld& world)
         add_lightmap_stream(world.scene.meshes[i], world.lightmap->layouts[i]);
 }
 
+void hide_by_rules(const Level& level, Scene& scene)
+{
+    const auto says_visible = [](const AssignRule& rule) { return rule.visible.has_value(); };
+    if (std::ranges::any_of(level.assign, says_visible))
+        hide_objects(scene, resolve_looks(level, scene, kFallbackStyle));
+}
+
 }  // namespace
 
 Level read_level_with(const std::filesystem::path& file, const std::vector<std::string>& style_overrides)
@@ -79,7 +88,14 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
     return level;
 }
 
-std::shared_ptr<const LevelWorld> open_world(const Level& level, BakedLight baked_light)
+Scene open_scene(const Level& level)
+{
+    Scene scene = import_model(level.scene_file, level.project_root);
+    hide_by_rules(level, scene);
+    return scene;
+}
+
+std::shared_ptr<LevelWorld> open_world(const Level& level, BakedLight baked_light)
 {
     auto world = std::make_shared<LevelWorld>();
     world->scene = import_model(level.scene_file, level.project_root);
@@ -87,6 +103,9 @@ std::shared_ptr<const LevelWorld> open_world(const Level& level, BakedLight bake
     for (MeshData& mesh : world->scene.meshes) world->chunks.push_back(split_into_chunks(mesh));
     // A lightmap adds vertices to meshes, and must not change what a compiled level is known by.
     world->geometry_key = geometry_key(world->scene);
+    hide_by_rules(level, world->scene);
+    world->chunks.resize(world->scene.meshes.size());
+    world->hidden = hidden_objects(world->scene);
     if (baked_light == BakedLight::if_there) add_baked_light(level, *world);
     return world;
 }
@@ -117,6 +136,7 @@ double exposure_ev_of(const Level& level, const Scene& scene, const std::vector<
     if (level.exposure_ev) return *level.exposure_ev;
     std::vector<double> lux;
     for (const Object& object : scene.objects) {
+        if (object.bounds_world.is_empty()) continue;
         double sum = 0.0;
         for (const Light& light : lights)
             sum += luminance_weight(light.colour) * illuminance_at(light, object.bounds_world.centre());

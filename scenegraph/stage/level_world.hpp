@@ -18,8 +18,9 @@ namespace hw {
 struct LevelWorld {
     Scene scene;
     std::vector<MeshChunks> chunks;    ///< One for each mesh of the scene.
-    std::uint64_t geometry_key = 0;    ///< What compiled visibility is known by.
+    std::uint64_t geometry_key = 0;    ///< What compiled visibility is known by, beside what is hidden.
     std::optional<Lightmap> lightmap;  ///< The level's baked light, its stream added to the meshes.
+    std::vector<ObjectId> hidden;      ///< What the level hid when the world was opened: the lightmap is for that.
 };
 
 /// The style of an object for which nobody named one.
@@ -31,10 +32,13 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 
 enum class BakedLight : unsigned char { unwanted, if_there };
 
-/// Imports the level's model, cuts its meshes into chunks, and takes the lightmap beside the level when it is wanted.
+/// The level's model without what the level's rules hide. Throws what import_model() and resolve_looks() throw.
+Scene open_scene(const Level& level);
+
+/// Takes open_scene(), cuts its meshes into chunks, and takes the lightmap beside the level when it is wanted.
 /// One that was baked for another state of the level is left out, with a warning. The renderer points into the result,
 /// so it never moves.
-std::shared_ptr<const LevelWorld> open_world(const Level& level, BakedLight baked_light = BakedLight::unwanted);
+std::shared_ptr<LevelWorld> open_world(const Level& level, BakedLight baked_light = BakedLight::unwanted);
 
 /// Whether the model and its visibility stay as they are when `before` becomes `after`.
 bool same_world(const Level& before, const Level& after);

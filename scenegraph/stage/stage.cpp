@@ -11,6 +11,7 @@
 #include "hatchway/io/compiled/lightmap_file.hpp"
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/stage/level_styles.hpp"
+#include "hatchway/world/hidden_objects.hpp"
 
 namespace hw {
 namespace {
@@ -53,22 +54,43 @@ Stage::Shown Stage::opened(Level level) const
 {
     Shown shown;
     shown.world = open_world(level, options_.baked_light);
+    forget_unknown_styles(level, plugins_, shown.world->scene);
+    for (const std::string& doubt : shown.world->scene.doubts) log_warning(doubt);
     const CompiledCache* cache = options_.cache ? &*options_.cache : nullptr;
     std::optional<CompiledLevel> compiled;
     if (options_.visibility_use == VisibilityUse::compiled)
         compiled = find_or_compile_world(level, *shown.world, options_.visibility, cache);
     else if (options_.visibility_use != VisibilityUse::none && cache != nullptr)
         compiled = find_compiled_world(level, *shown.world, options_.visibility, *cache);
-    if (compiled) shown.visibility = std::make_shared<Visibility>(std::move(compiled->visibility));
+    if (compiled)
+        shown.made = {std::make_shared<Visibility>(std::move(compiled->visibility)), shown.world->hidden,
+                      compiled->is_from_cache};
     shown.level = std::move(level);
     return shown;
 }
 
 void Stage::compile_beside()
 {
-    if (options_.visibility_use == VisibilityUse::in_background && !shown_.visibility)
-        visibility_job_ =
-            std::make_unique<VisibilityJob>(shown_.level, shown_.world, options_.visibility, options_.cache);
+    if (options_.visibility_use != VisibilityUse::in_background || visibility() || visibility_job_) return;
+    // What is hidden for a while must not take the place of what the level says.
+    const bool is_as_opened = hidden_objects(scene()) == shown_.world->hidden;
+    visibility_job_ = std::make_unique<VisibilityJob>(shown_.level, shown_.world, options_.visibility,
+                                                      is_as_opened ? options_.cache : std::nullopt);
+}
+
+const Visibility* Stage::visibility() const
+{
+    return shown_.made.hidden == hidden_objects(scene()) ? shown_.made.visibility.get() : nullptr;
+}
+
+bool Stage::follow_looks()
+{
+    LevelWorld& world = *shown_.world;
+    if (!would_change(world.scene, shown_.looks)) return false;
+    visibility_job_.reset();  // it reads the scene
+    hide_objects(world.scene, shown_.looks);
+    world.chunks.resize(world.scene.meshes.size());
+    return true;
 }
 
 void Stage::take_visibility()
@@ -76,8 +98,8 @@ void Stage::take_visibility()
     if (!visibility_job_ || !visibility_job_->is_done()) return;
     const std::unique_ptr<VisibilityJob> job = std::move(visibility_job_);
     try {
-        shown_.visibility = job->take();
-        renderer_.set_visibility(shown_.visibility.get());
+        shown_.made = {job->take(), hidden_objects(scene())};
+        renderer_.set_visibility(visibility());
     } catch (const std::exception& error) {
         log_warning(std::string("no visibility, everything in the frustum is drawn: ") + error.what());
     }
@@ -127,13 +149,16 @@ void Stage::show(Shown next, bool has_new_looks_only)
     // The renderer points into what it shows until the next load(): both live until that succeeded.
     std::swap(shown_, next);
     try {
+        const bool is_scene_changed = follow_looks();
         // Maps that a style brings on its first use reach the renderer by load() alone.
-        if (has_new_looks_only && named_maps() == named_maps_ && maps_.maps().size() == loaded_map_count_)
+        if (has_new_looks_only && !is_scene_changed && named_maps() == named_maps_ &&
+            maps_.maps().size() == loaded_map_count_)
             renderer_.set_looks(styles_.styles(), shown_.objects);
         else
             load();
     } catch (...) {
         std::swap(shown_, next);
+        follow_looks();
         load();
         throw;
     }
@@ -146,9 +171,10 @@ void Stage::load()
     input.scene = &world.scene;
     input.styles = styles_.styles();
     input.objects = shown_.objects;
-    input.visibility = shown_.visibility.get();
+    input.visibility = visibility();
     input.chunks = world.chunks;
-    input.lightmap = world.lightmap ? &*world.lightmap : nullptr;
+    const bool is_as_baked = hidden_objects(world.scene) == world.hidden;
+    input.lightmap = world.lightmap && is_as_baked ? &*world.lightmap : nullptr;
     input.named_maps = named_maps_ = named_maps();
     input.maps = maps_.maps();
     loaded_map_count_ = input.maps.size();
@@ -161,8 +187,9 @@ void Stage::load()
 
 void Stage::set_extra_rules(std::vector<AssignRule> rules)
 {
-    show(with_looks({shown_.level, shown_.world, shown_.visibility, {}, {}}, rules), true);
+    show(with_looks({shown_.level, shown_.world, shown_.made, {}, {}}, rules), true);
     extra_rules_ = std::move(rules);
+    compile_beside();
 }
 
 void Stage::watch_files()
@@ -223,12 +250,10 @@ Reload Stage::reload_level(bool is_model_changed)
         styles_.set_level(level);
         const bool is_new_world = is_model_changed || !same_world(shown_.level, level);
         Shown next =
-            is_new_world ? opened(std::move(level)) : Shown{std::move(level), shown_.world, shown_.visibility, {}, {}};
+            is_new_world ? opened(std::move(level)) : Shown{std::move(level), shown_.world, shown_.made, {}, {}};
         show(with_looks(std::move(next), extra_rules_), false);
-        if (is_new_world) {
-            visibility_job_.reset();
-            compile_beside();
-        }
+        if (is_new_world) visibility_job_.reset();
+        compile_beside();
         return is_new_world ? Reload::world : Reload::looks;
     } catch (const std::exception& error) {
         problems.emplace_back(error.what());

@@ -51,13 +51,16 @@ class Stage {
 
     FrameStats draw(const View& view, const FrameOptions& options) { return renderer_.draw(view, options); }
     Renderer& renderer() { return renderer_; }
+    const Renderer& renderer() const { return renderer_; }
 
     const Level& level() const { return shown_.level; }
     const LevelWorld& world() const { return *shown_.world; }
     const Scene& scene() const { return shown_.world->scene; }
     const std::vector<MeshChunks>& chunks() const { return shown_.world->chunks; }
-    /// Null while there is none.
-    const Visibility* visibility() const { return shown_.visibility.get(); }
+    /// Null while there is none, or one that was made when other objects were hidden.
+    const Visibility* visibility() const;
+    /// Whether visibility() is that of a compiled level that was kept.
+    bool is_compiled_level_used() const { return visibility() != nullptr && shown_.made.is_from_cache; }
     const std::vector<ObjectLook>& looks() const { return shown_.looks; }
     const PluginRegistry& plugins() const { return plugins_; }
     /// What an object may be styled with: the level's styles, then plugins with their defaults.
@@ -77,16 +80,24 @@ class Stage {
 
     /// What is wrong now: of the last reload, and of styles that stopped drawing. Empty when all is well.
     std::vector<std::string> messages() const;
+    /// Of these, the styles and image passes that stopped drawing.
+    std::vector<std::string> style_failures() const { return styles_.failures(); }
 
  private:
     /// What a file on disk is to the level.
     enum class Part : unsigned char { level, model, maps, shaders };
 
+    struct MadeVisibility {
+        std::shared_ptr<const Visibility> visibility;
+        std::vector<ObjectId> hidden;  ///< When it was made.
+        bool is_from_cache = false;
+    };
+
     /// What the renderer shows.
     struct Shown {
         Level level;
-        std::shared_ptr<const LevelWorld> world;
-        std::shared_ptr<const Visibility> visibility;
+        std::shared_ptr<LevelWorld> world;  ///< Its scene is without what `looks` hide.
+        MadeVisibility made;
         std::vector<ObjectLook> looks;
         std::vector<StyledObject> objects;
     };
@@ -94,7 +105,10 @@ class Stage {
     /// The level's world and visibility, without looks.
     Shown opened(Level level) const;
     Shown with_looks(Shown shown, const std::vector<AssignRule>& extra_rules);
+    /// Compiles the visibility of the scene as it is now, where that is done beside and there is none.
     void compile_beside();
+    /// Hides in the shown world what the shown looks hide. Tells whether that changed anything.
+    bool follow_looks();
     void take_visibility();
     /// Reads every map that the level names, also where no object uses it, so that a wrong one is told with its place.
     void require_maps(const Level& level);

@@ -35,16 +35,17 @@ std::optional<CommandCall> control_command(const KeyEvent& event)
 }
 
 /// Q alone quits only while the mouse is free: it lies beside W and A, where a walking hand hits it by mistake.
-std::optional<CommandCall> command_of(const KeyEvent& event, bool is_mouse_captured)
+std::optional<CommandCall> command_of(const KeyEvent& event, const ControlState& state)
 {
     if (event.with_control) return control_command(event);
+    if (event.with_alt && event.key == Key::h) return CommandCall{Command::show_all};
     if (event.with_alt) return std::nullopt;  // Alt+Tab belongs to the desktop
     if (const auto digit = digit_of(event.key)) return CommandCall{Command::go_to_camera, *digit};
     switch (event.key) {
         case Key::escape:
-            return CommandCall{Command::release_mouse};
+            return CommandCall{state.is_path_playing ? Command::stop_path : Command::release_mouse};
         case Key::q:
-            return is_mouse_captured ? std::nullopt : std::optional(CommandCall{Command::quit});
+            return state.is_mouse_captured ? std::nullopt : std::optional(CommandCall{Command::quit});
         case Key::f:
             return CommandCall{Command::toggle_flight};
         case Key::p:
@@ -55,8 +56,9 @@ std::optional<CommandCall> command_of(const KeyEvent& event, bool is_mouse_captu
             return CommandCall{Command::save_picture};
         case Key::f3:
             return CommandCall{Command::toggle_statistics};
-        case Key::f1:
         case Key::h:
+            return CommandCall{Command::hide};
+        case Key::f1:
             return CommandCall{Command::toggle_help};
         default:
             return std::nullopt;
@@ -119,10 +121,11 @@ Controls controls_after(const ControlState& state, const InputEvents& events)
         std::clamp(state.speed_factor * std::pow(kWheelFactor, events.scroll.y), kSlowest, kFastest);
     for (const KeyEvent& event : events.keys) {
         if (!event.is_down || event.is_repeat) continue;
-        const auto call = command_of(event, result.state.is_mouse_captured);
+        const auto call = command_of(event, result.state);
         if (!call) continue;
         if (call->command == Command::release_mouse && !result.state.is_mouse_captured) continue;
         if (call->command == Command::release_mouse) result.state.is_mouse_captured = false;
+        if (call->command == Command::stop_path) result.state.is_path_playing = false;
         result.commands.push_back(*call);
     }
     const bool is_clicked = std::any_of(events.buttons.begin(), events.buttons.end(), [](const MouseEvent& event) {
@@ -154,13 +157,14 @@ const std::vector<KeyHelp>& key_help()
         {"Space", "jump; flying: up, and C down"},
         {"F", "fly or walk"},
         {"1 ... 9, 0", "the level's cameras, the start"},
-        {"P", "play the level's path"},
+        {"P", "play the level's path; Esc or any move stops it"},
         {"Tab, Shift+Tab", "next or previous style of the object under the cross-hair"},
+        {"H, Alt+H", "hide the object under the cross-hair; show all that is hidden"},
         {"Ctrl+Z, Ctrl+Y", "undo, redo (also Ctrl+Shift+Z)"},
-        {"Ctrl+S", "save the styles into the level file"},
+        {"Ctrl+S", "save styles and what is hidden into the level file"},
         {"F12", "save this picture beside the level"},
         {"F3", "statistics"},
-        {"F1 or H", "this help"},
+        {"F1", "this help"},
         {"Ctrl+Q", "quit; Q does while the mouse is free"},
     };
     return help;

@@ -18,6 +18,8 @@ enum class Command : std::uint8_t {
     go_to_camera,  ///< `number` 1..9: cameras in the order of the level; 0: the start.
     next_style,    ///< Of the object under the cross-hair.
     previous_style,
+    hide,      ///< The object under the cross-hair.
+    show_all,  ///< What is hidden.
     save_level,
     undo,
     redo,
@@ -25,6 +27,7 @@ enum class Command : std::uint8_t {
     toggle_help,
     toggle_statistics,
     play_path,
+    stop_path,
 };
 
 struct CommandCall {
@@ -38,7 +41,8 @@ struct CommandCall {
 struct ControlState {
     std::bitset<kKeyCount> held;  ///< Keys that move: those pressed together with Ctrl or Alt are commands, not moves.
     bool is_mouse_captured = false;
-    double speed_factor = 1.0;  ///< Set with the wheel, in [0.1, 10].
+    bool is_path_playing = false;  ///< Set by the owner: Esc then stops the path.
+    double speed_factor = 1.0;     ///< Set with the wheel, in [0.1, 10].
 };
 
 /// One frame's events, translated.

@@ -47,12 +47,34 @@ bool is_reached(const Scene& scene, const AssignRule& rule, const std::vector<ch
 AssignRule rule_with(const StyleChoice& choice)
 {
     AssignRule rule;
+    rule.visible = choice.visible;
+    if (choice.style.empty()) return rule;
     rule.style = choice.style;
     if (!choice.over.empty()) {
         rule.over = choice.over;
         rule.presence = choice.presence;
     }
     return rule;
+}
+
+StyleChoice style_alone(StyleChoice choice)
+{
+    choice.visible.reset();
+    return choice;
+}
+
+StyleChoice visibility_alone(const StyleChoice& choice)
+{
+    return {.style = "", .visible = choice.visible};
+}
+
+/// `choice`, and what it says nothing of from `base`.
+StyleChoice completed(StyleChoice choice, const StyleChoice& base)
+{
+    const std::optional<bool> visible = choice.visible ? choice.visible : base.visible;
+    if (choice.style.empty()) choice = base;
+    choice.visible = visible;
+    return choice;
 }
 
 /// The shortest rule that gives `object` its choice: for its node and what is below where all of that wants the same,
@@ -101,23 +123,46 @@ std::vector<StyleChoice> goals(const Scene& scene, std::vector<StyleChoice> now,
         for (ObjectId other = 0; other < now.size(); ++other)
             if (scene.objects[other].node == scene.objects[object].node &&
                 material_name(scene, other) == material_name(scene, object))
-                now[other] = choice;
+                now[other] = completed(choice, now[other]);
     }
     return now;
+}
+
+/// Appends the rules that turn `now` into `goal`. In this order a rule disturbs only what the loop has not passed yet,
+/// and what it disturbs is then put right.
+void add_rules(const Scene& scene, std::vector<StyleChoice> now, const std::vector<StyleChoice>& goal,
+               std::vector<AssignRule>& rules)
+{
+    for (const ObjectId object : order_of_rules(scene)) {
+        if (now[object] == goal[object]) continue;
+        const std::vector<char> is_below = nodes_below(scene, scene.objects[object].node);
+        rules.push_back(rule_for(scene, object, goal, is_below));
+        for (ObjectId other = 0; other < goal.size(); ++other)
+            if (is_reached(scene, rules.back(), is_below, other)) now[other] = goal[object];
+    }
+}
+
+template <typename Part>
+std::vector<StyleChoice> parts_of(const std::vector<StyleChoice>& choices, Part part)
+{
+    std::vector<StyleChoice> parts;
+    for (const StyleChoice& choice : choices) parts.push_back(part(choice));
+    return parts;
 }
 
 }  // namespace
 
 bool StyleChoice::operator==(const StyleChoice& other) const
 {
-    return style == other.style && over == other.over && (over.empty() || presence == other.presence);
+    return style == other.style && over == other.over && (over.empty() || presence == other.presence) &&
+           visible == other.visible;
 }
 
 void StyleEdits::push(StyleEdit edit)
 {
     for (; saved_count_ > done_count_; --saved_count_) {
         const StyleEdit& lost = steps_[saved_count_ - 1];
-        taken_back_[lost.object] = lost.before;
+        taken_back_[lost.object] = completed(lost.before, taken_back_[lost.object]);
     }
     steps_.resize(done_count_);
     steps_.push_back(std::move(edit));
@@ -127,20 +172,26 @@ void StyleEdits::push(StyleEdit edit)
 std::optional<StyleEdit> StyleEdits::undo()
 {
     if (done_count_ == 0) return std::nullopt;
-    return steps_[--done_count_];
+    while (steps_[--done_count_].is_with_last && done_count_ > 0) continue;
+    return steps_[done_count_];
 }
 
 std::optional<StyleEdit> StyleEdits::redo()
 {
     if (done_count_ == steps_.size()) return std::nullopt;
-    return steps_[done_count_++];
+    const StyleEdit first = steps_[done_count_++];
+    while (done_count_ < steps_.size() && steps_[done_count_].is_with_last) ++done_count_;
+    return first;
 }
 
 std::map<ObjectId, StyleChoice> StyleEdits::unsaved() const
 {
     std::map<ObjectId, StyleChoice> choices = taken_back_;
-    for (std::size_t i = saved_count_; i < done_count_; ++i) choices[steps_[i].object] = steps_[i].after;
-    for (std::size_t i = saved_count_; i > done_count_; --i) choices[steps_[i - 1].object] = steps_[i - 1].before;
+    const auto choose = [&](ObjectId object, const StyleChoice& choice) {
+        choices[object] = completed(choice, choices[object]);
+    };
+    for (std::size_t i = saved_count_; i < done_count_; ++i) choose(steps_[i].object, steps_[i].after);
+    for (std::size_t i = saved_count_; i > done_count_; --i) choose(steps_[i - 1].object, steps_[i - 1].before);
     return choices;
 }
 
@@ -169,7 +220,7 @@ void StyleEdits::renumber(const std::map<ObjectId, ObjectId>& new_of_old)
 
 StyleChoice choice_of(const ObjectLook& look)
 {
-    return {look.style, look.over, look.presence};
+    return {look.style, look.over, look.presence, look.is_visible};
 }
 
 std::string next_style(const std::vector<std::string>& names, const std::string& current, int step)
@@ -184,18 +235,12 @@ std::string next_style(const std::vector<std::string>& names, const std::string&
 std::vector<AssignRule> rules_for(const Level& level, const Scene& scene, const std::string& fallback_style,
                                   const std::map<ObjectId, StyleChoice>& wanted)
 {
-    std::vector<StyleChoice> now = choices_of(resolve_looks(level, scene, fallback_style));
+    const std::vector<StyleChoice> now = choices_of(resolve_looks(level, scene, fallback_style));
     const std::vector<StyleChoice> goal = goals(scene, now, wanted);
 
-    // In this order a rule disturbs only what the loop has not passed yet, and what it disturbs is then put right.
     std::vector<AssignRule> rules;
-    for (const ObjectId object : order_of_rules(scene)) {
-        if (now[object] == goal[object]) continue;
-        const std::vector<char> is_below = nodes_below(scene, scene.objects[object].node);
-        rules.push_back(rule_for(scene, object, goal, is_below));
-        for (ObjectId other = 0; other < goal.size(); ++other)
-            if (is_reached(scene, rules.back(), is_below, other)) now[other] = goal[object];
-    }
+    add_rules(scene, parts_of(now, style_alone), parts_of(goal, style_alone), rules);
+    add_rules(scene, parts_of(now, visibility_alone), parts_of(goal, visibility_alone), rules);
     return rules;
 }
 

@@ -10,20 +10,22 @@
 
 namespace hw {
 
-/// The part of an object's look that an author changes while walking.
+/// The part of an object's look that an author changes while walking: its style, or whether it is visible, or both.
 struct StyleChoice {
-    std::string style;
-    std::string over;        ///< Empty: none.
-    PresenceField presence;  ///< Of `over`.
+    std::string style;                 ///< Empty: says nothing of the style.
+    std::string over = {};             ///< Empty: none.
+    PresenceField presence = {};       ///< Of `over`.
+    std::optional<bool> visible = {};  ///< Absent: says nothing of it.
 
     bool operator==(const StyleChoice& other) const;
 };
 
-/// One step of the author. Undoing goes back to `before`.
+/// One step of the author for one object. Undoing goes back to `before`, which says as much as `after`.
 struct StyleEdit {
     ObjectId object = 0;
     StyleChoice before;
     StyleChoice after;
+    bool is_with_last = false;  ///< Undone and redone together with the edit before it.
 };
 
 /// What the author did to the objects' styles, with its undo and redo. Plain data: the level that is shown and the
@@ -32,7 +34,7 @@ class StyleEdits {
  public:
     /// Does `edit`; what was undone before can no longer be redone.
     void push(StyleEdit edit);
-    /// The step that was taken back or done again; nothing when there is none.
+    /// The first edit of the step that was taken back or done again; nothing when there is none.
     std::optional<StyleEdit> undo();
     std::optional<StyleEdit> redo();
 
@@ -52,14 +54,16 @@ class StyleEdits {
     std::map<ObjectId, StyleChoice> taken_back_;  ///< Of saved steps that were undone and then cut off by a new one.
 };
 
+/// All that there is to choose, as the look has it.
 StyleChoice choice_of(const ObjectLook& look);
 
 /// The style after `current` in the cycle of `names`, `step` = +1 or -1; the first when `current` is not among them.
 /// `names` must not be empty.
 std::string next_style(const std::vector<std::string>& names, const std::string& current, int step);
 
-/// Rules that, appended to the level's "assign", give the objects in `wanted` these choices and leave all others alone.
-/// A rule reaches children, so some of them may restate the style of a child. Objects that no rule can tell apart
+/// Rules that, appended to the level's "assign", give the objects in `wanted` what these choices say and leave all else
+/// alone: first rules of styles, then of what is visible. A rule reaches children, so some of them may restate what a
+/// child has. Objects that no rule can tell apart
 /// (equal material names on one node) change together. Empty when the level already says so.
 std::vector<AssignRule> rules_for(const Level& level, const Scene& scene, const std::string& fallback_style,
                                   const std::map<ObjectId, StyleChoice>& wanted);

@@ -67,14 +67,16 @@ std::string rate_text(double fps)
 
 std::string hint(const WalkFacts& facts)
 {
-    if (facts.is_playing_path) return "Playing the path; any move ends it";
+    if (facts.is_playing_path) return "Playing the path; Esc or any move stops it";
     if (facts.is_mouse_captured) return "Esc frees the mouse   F1 help";
     return "The mouse is free: click to look   F1 help   Q quit";
 }
 
 std::string object_line(const WalkFacts& facts)
 {
-    std::string line = facts.object.empty() ? "" : facts.object + ": " + facts.style + "   Tab changes";
+    std::string line = facts.object.empty() ? ""
+                                            : fmt::format("{}: {}, certainty {:.3g}   Tab changes", facts.object,
+                                                          facts.style, facts.certainty);
     if (facts.has_unsaved) line += std::string(line.empty() ? "" : "   ") + "Ctrl+S saves the changes";
     return line;
 }

@@ -16,8 +16,9 @@ struct WalkFacts {
     bool is_help_shown = false;
     bool are_statistics_shown = false;
     bool has_unsaved = false;
-    std::string object;  ///< Under the cross-hair; empty: nothing.
-    std::string style;   ///< Of it.
+    std::string object;      ///< Under the cross-hair; empty: nothing.
+    std::string style;       ///< Of it.
+    double certainty = 1.0;  ///< Of it.
     double fps = 0.0;
     std::string quality;  ///< describe(FrameQuality).
     FrameStats stats;

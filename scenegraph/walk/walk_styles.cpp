@@ -1,5 +1,7 @@
 #include "hatchway/walk/walk_styles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "hatchway/core/error.hpp"
@@ -9,6 +11,7 @@
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/edit.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "hatchway/world/hidden_objects.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -24,7 +27,8 @@ std::vector<StyleAssignment> assignments_of(const std::vector<AssignRule>& rules
                                .style = rule.style.value_or(""),
                                .materials = rule.materials,
                                .over = rule.over.value_or(""),
-                               .presence = rule.presence.value_or(PresenceField{})});
+                               .presence = rule.presence.value_or(PresenceField{}),
+                               .visible = rule.visible});
     return assignments;
 }
 
@@ -99,8 +103,11 @@ std::string WalkStyles::take_up_offer()
     StyleEdits next = edits_;
     for (ObjectId id = 0; id < looks.size(); ++id) {
         const StyleChoice before = choice_of(stage_.looks()[id]);
-        const StyleChoice after = choice_of(looks[id]);
-        if (looks[id].style != kUntouched && !(after == before)) next.push({id, before, after});
+        StyleChoice after = choice_of(looks[id]);
+        if (looks[id].style == kUntouched)
+            after.style = before.style, after.over = before.over, after.presence = before.presence;
+        if (looks[id].visible_pointer.empty()) after.visible = before.visible;
+        if (!(after == before)) next.push({id, before, after});
     }
     const std::string message = adopt(std::move(next), "The changes of the earlier walk are back, and unsaved");
     offered_.clear();
@@ -111,11 +118,34 @@ std::string WalkStyles::cycle(ObjectId object, int step)
 {
     const std::vector<std::string> names = stage_.style_names();
     if (names.empty()) return "There is no style to change to";
-    const StyleChoice before = choice_of(stage_.looks()[object]);
+    StyleChoice before = choice_of(stage_.looks()[object]);
+    before.visible.reset();
     const StyleEdit edit{object, before, {.style = next_style(names, before.style, step)}};
     StyleEdits next = edits_;
     next.push(edit);
     return adopt(std::move(next), told("", edit, edit.after));
+}
+
+std::string WalkStyles::hide(ObjectId object)
+{
+    const StyleEdit edit{object, {.style = "", .visible = true}, {.style = "", .visible = false}};
+    StyleEdits next = edits_;
+    next.push(edit);
+    return adopt(std::move(next), told("", edit, edit.after) + "   Alt+H shows all");
+}
+
+std::string WalkStyles::show_all()
+{
+    StyleEdits next = edits_;
+    const std::vector<ObjectId> hidden = hidden_objects(stage_.scene());
+    for (const ObjectId object : hidden)
+        next.push({.object = object,
+                   .before = {.style = "", .visible = false},
+                   .after = {.style = "", .visible = true},
+                   .is_with_last = object != hidden.front()});
+    if (hidden.empty()) return "Nothing is hidden";
+    return adopt(std::move(next),
+                 fmt::format("{} object{} shown again", hidden.size(), hidden.size() == 1 ? " is" : "s are"));
 }
 
 std::string WalkStyles::undo()
@@ -188,8 +218,10 @@ std::string WalkStyles::adopt(StyleEdits next, const std::string& message)
 
 std::string WalkStyles::told(const std::string& before, const StyleEdit& edit, const StyleChoice& choice) const
 {
+    const std::string what = before + object_name(stage_.scene(), edit.object) + " is ";
+    if (choice.style.empty()) return what + (choice.visible.value_or(true) ? "shown" : "hidden");
     const std::string over = choice.over.empty() ? "" : " under " + choice.over;
-    return before + object_name(stage_.scene(), edit.object) + " is " + choice.style + over;
+    return what + choice.style + over + fmt::format(", certainty {:.3g}", stage_.looks()[edit.object].certainty);
 }
 
 fs::path level_file_for(const fs::path& model)

@@ -18,6 +18,9 @@ class WalkStyles {
     explicit WalkStyles(Stage& stage);
 
     std::string cycle(ObjectId object, int step);
+    /// Hides an object and what no rule can tell from it; shows everything again that is hidden, as one step.
+    std::string hide(ObjectId object);
+    std::string show_all();
     std::string undo();
     std::string redo();
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hatchway/param/map_kind.hpp"
@@ -32,6 +33,7 @@ struct AssignRule {
     std::optional<double> certainty;
     std::map<MapKind, std::string> maps;  ///< Names of built-in maps, or paths relative to the level file.
     std::optional<bool> collides;
+    std::optional<bool> visible;  ///< False: as if the objects were not in the model.
     std::string pointer;
 };
 
@@ -55,6 +57,7 @@ struct PathKey {
 
 /// A camera path. Catmull-Rom in position, slerp in direction.
 struct CameraPath {
+    std::string name;
     double fps = 25.0;
     double fov_deg = 60.0;
     std::vector<PathKey> keys;  ///< At least one, times strictly rising.
@@ -77,10 +80,19 @@ struct Level {
     std::map<std::string, StyleDesc> styles;
     std::vector<AssignRule> assign;
     std::vector<CertaintyStyle> certainty_styles;
-    std::map<std::string, Camera> cameras;
-    std::map<std::string, CameraPath> paths;
-    std::vector<Light> lights;  ///< Added to the model's.
+    std::vector<Camera> cameras;    ///< In the order of the file.
+    std::vector<CameraPath> paths;  ///< In the order of the file.
+    std::vector<Light> lights;      ///< Added to the model's.
     bool is_sealed = false;
 };
+
+/// The camera or path of that name; null when there is none.
+template <typename Named>
+const Named* find_named(const std::vector<Named>& all, std::string_view name)
+{
+    for (const Named& one : all)
+        if (one.name == name) return &one;
+    return nullptr;
+}
 
 }  // namespace hw

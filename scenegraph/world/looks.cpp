@@ -44,6 +44,7 @@ struct Deciders {
     int presence = kNone;
     int certainty = kNone;
     int collides = kNone;
+    int visible = kNone;
     std::map<MapKind, int> maps;
 
     void note(const AssignRule& rule, int number)
@@ -53,6 +54,7 @@ struct Deciders {
         if (rule.presence) presence = number;
         if (rule.certainty) certainty = number;
         if (rule.collides) collides = number;
+        if (rule.visible) visible = number;
         for (const auto& [kind, path] : rule.maps) maps[kind] = number;
     }
 };
@@ -128,9 +130,19 @@ void apply(const Deciders& deciders, const std::vector<AssignRule>& rules, Objec
         look.style_pointer = place_in(rules[deciders.style], "style");
     }
     // Who states a style takes back what was drawn over the one before.
-    if (deciders.over != kNone && deciders.over >= deciders.style) look.over = *rules[deciders.over].over;
+    if (deciders.over != kNone && deciders.over >= deciders.style) {
+        look.over = *rules[deciders.over].over;
+        look.over_pointer = place_in(rules[deciders.over], "over");
+    }
     if (deciders.presence != kNone) look.presence = *rules[deciders.presence].presence;
-    if (deciders.certainty != kNone) look.certainty = *rules[deciders.certainty].certainty;
+    if (deciders.certainty != kNone) {
+        look.certainty = *rules[deciders.certainty].certainty;
+        look.certainty_pointer = place_in(rules[deciders.certainty], "certainty");
+    }
+    if (deciders.visible != kNone) {
+        look.is_visible = *rules[deciders.visible].visible;
+        look.visible_pointer = place_in(rules[deciders.visible], "visible");
+    }
     if (deciders.collides != kNone) look.collides = *rules[deciders.collides].collides;
     for (const auto& [kind, rule] : deciders.maps) look.maps[kind] = rules[rule].maps.at(kind);
 }
@@ -139,20 +151,27 @@ void apply_extras(const Level& level, const Scene& scene, std::vector<ObjectLook
 {
     // Messages begin with the level file, which may be the bare model itself.
     const std::string file = level.file == level.scene_file ? "" : scene.file + ": ";
-    std::vector<const std::string*> style(scene.nodes.size(), nullptr);
-    std::vector<const float*> certainty(scene.nodes.size(), nullptr);
+    const auto place = [&](int node, const char* key) {
+        return file + "/nodes/" + std::to_string(node) + "/extras/hatchway/" + key;
+    };
+    // For each node the one that says it: itself, or its nearest parent that does.
+    std::vector<int> style(scene.nodes.size(), kNone);
+    std::vector<int> certainty(scene.nodes.size(), kNone);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        style[i] = node.style ? &*node.style : node.parent == kNone ? nullptr : style[node.parent];
-        certainty[i] = node.certainty ? &*node.certainty : node.parent == kNone ? nullptr : certainty[node.parent];
+        style[i] = node.style ? static_cast<int>(i) : node.parent == kNone ? kNone : style[node.parent];
+        certainty[i] = node.certainty ? static_cast<int>(i) : node.parent == kNone ? kNone : certainty[node.parent];
     }
     for (std::size_t i = 0; i < looks.size(); ++i) {
         const int node = scene.objects[i].node;
-        if (style[node]) {
-            looks[i].style = *style[node];
-            looks[i].style_pointer = file + "/nodes/" + std::to_string(node) + "/extras/hatchway/style";
+        if (style[node] != kNone) {
+            looks[i].style = *scene.nodes[style[node]].style;
+            looks[i].style_pointer = place(style[node], "style");
         }
-        if (certainty[node]) looks[i].certainty = *certainty[node];
+        if (certainty[node] != kNone) {
+            looks[i].certainty = *scene.nodes[certainty[node]].certainty;
+            looks[i].certainty_pointer = place(certainty[node], "certainty");
+        }
     }
 }
 

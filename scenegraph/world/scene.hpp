@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -111,8 +112,10 @@ struct Scene {
     std::vector<Pixels> images;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
-    std::vector<Object> objects;  ///< In the order of nodes, then primitives.
+    std::vector<Object> objects;        ///< In the order of nodes, then primitives.
+    std::map<ObjectId, Object> hidden;  ///< What objects were before hide_objects() emptied them.
     Box bounds_world;
+    std::vector<std::string> doubts;  ///< What the model says and the importer does not understand, for `check`.
 
     const glm::dmat4& world_from_object(ObjectId id) const { return nodes[objects[id].node].world_from_node; }
 };

@@ -91,6 +91,44 @@ TEST_F(style_set, a_style_that_throws_while_drawing_is_drawn_plain_from_then_on)
             "the style \"bad\" is drawn plain: the plugin \"throws_where_told\" failed in surfaces: told to fail"));
 }
 
+TEST_F(style_set, a_failure_names_the_object_at_which_the_style_throws)
+{
+    set.set_object_namer([](std::uint32_t object) { return "Hall/Column_" + std::to_string(object); });
+    set.set_level(level_with("bad", "throws_where_told",
+                             {{"where", {"surfaces", "/styles/bad/where"}}, {"object", {2.0, "/styles/bad/object"}}}));
+    Style& style = *set.styles()[set.use("bad", "")].style;
+    Scene scene;
+    scene.nodes.resize(1);
+    scene.meshes.resize(1);
+    scene.materials.resize(1);
+    FrameItems made;
+    std::vector<DrawItem> named;
+    for (ObjectId id = 0; id < 4; ++id) {
+        scene.objects.push_back({.node = 0, .mesh = 0, .material = 0});
+        named.push_back(made.make(scene, id, {}, false, id));
+    }
+    style.surfaces(pass, named);
+    EXPECT_EQ(pass.drawn_surfaces, 4u) << "what was drawn to find it out reached nothing";
+    ASSERT_EQ(set.failures().size(), 1u);
+    EXPECT_THAT(set.failures()[0], HasSubstr("the style \"bad\" is drawn plain at the object \"Hall/Column_2\": "));
+}
+
+TEST_F(style_set, an_image_pass_that_throws_tells_it_once_and_makes_nothing)
+{
+    struct Throwing final : ImagePass {
+        Needs needs() const override { return {}; }
+        void prepare(ProgramCache&) override {}
+        Images make(Pass&, Items) override { throw std::runtime_error("no ink"); }
+    };
+    std::vector<std::string> told;
+    const ObjectNamer nobody;
+    GuardedImagePass image(Guarded{"wash", nobody}, std::make_unique<Throwing>(),
+                           [&](const std::string& text) { told.push_back(text); });
+    EXPECT_EQ(image.make(pass, items).size(), 0u);
+    EXPECT_EQ(image.make(pass, items).size(), 0u);
+    EXPECT_THAT(told, ElementsAre(HasSubstr("the image pass \"wash\" makes no image")));
+}
+
 TEST_F(style_set, a_style_that_throws_in_its_lines_keeps_its_objects_in_the_picture)
 {
     set.set_level(level_with("bad", "throws_where_told", failing_in("lines")));

@@ -149,6 +149,52 @@ TEST_F(stage, a_rule_that_does_not_work_changes_nothing)
     EXPECT_EQ(picture(), before);
 }
 
+TEST_F(stage, an_object_hidden_while_walking_is_as_one_that_the_level_hides)
+{
+    const auto hidden = [](bool is_hidden) {
+        return std::string(R"({"format": "hatchway-level/1", "scene": "prism.glb", "assign": [)") +
+               (is_hidden ? R"({"nodes": "*", "visible": false})" : "") + "]}";
+    };
+    const hw::CameraPlace camera = hw::whole_scene_camera(stage_->scene(), 1.0);
+    const auto seen = [&] {
+        stage_->draw(hw::camera_view(camera, {64, 64}, stage_->scene().bounds_world), {.samples = 1});
+        return stage_->renderer().read_picture().bytes;
+    };
+    write(hidden(false));
+    reload();
+    const auto shown = seen();
+    ASSERT_NE(stage_->visibility(), nullptr);
+    hw::AssignRule rule;
+    rule.visible = false;
+    stage_->set_extra_rules({rule});
+    const auto empty = seen();
+    EXPECT_NE(empty, shown);
+    EXPECT_EQ(stage_->visibility(), nullptr) << "made while the object was there";
+    stage_->set_extra_rules({});
+    EXPECT_EQ(seen(), shown);
+    EXPECT_NE(stage_->visibility(), nullptr);
+    write(hidden(true));
+    EXPECT_EQ(reload(), hw::Reload::looks);
+    EXPECT_EQ(seen(), empty);
+
+    stage_ = std::make_unique<hw::Stage>(*context_, hw::StageOptions{.file = folder_ / "a.level.json"});
+    EXPECT_NE(stage_->visibility(), nullptr) << "made without the object";
+    EXPECT_EQ(seen(), empty);
+    write(hidden(false));
+    reload();
+    EXPECT_EQ(seen(), shown) << "what was hidden when the level was opened can be shown";
+}
+
+TEST_F(stage, a_rule_that_hides_and_does_not_work_hides_nothing)
+{
+    const auto before = picture();
+    hw::AssignRule rule = all_in("crayon");
+    rule.visible = false;
+    EXPECT_THROW(stage_->set_extra_rules({rule}), hw::Error);
+    EXPECT_TRUE(stage_->scene().hidden.empty());
+    EXPECT_EQ(picture(), before);
+}
+
 TEST_F(stage, names_the_styles_that_there_are)
 {
     const std::vector<std::string> names = stage_->style_names();

@@ -187,3 +187,21 @@ TEST(key_help, names_every_key_of_the_manual)
     for (const char* key : {"W A S D", "Shift", "Space", "Tab", "Ctrl+S", "Ctrl+Z", "F12", "F1", "F3", "Ctrl+Q"})
         EXPECT_NE(all.find(key), std::string::npos) << key;
 }
+
+TEST(controls, h_hides_and_alt_h_shows_all_as_in_blender)
+{
+    EXPECT_EQ(commands({}, down(Key::h)), std::vector{CommandCall{Command::hide}});
+    const hw::KeyEvent alt_h{.key = Key::h, .is_down = true, .with_alt = true, .letter = 'h'};
+    EXPECT_EQ(commands(captured(), alt_h), std::vector{CommandCall{Command::show_all}});
+    EXPECT_EQ(commands({}, down(Key::f1)), std::vector{CommandCall{Command::toggle_help}});
+}
+
+TEST(controls, escape_stops_a_playing_path_and_only_then_frees_the_mouse)
+{
+    hw::ControlState state = captured();
+    state.is_path_playing = true;
+    const hw::Controls now = hw::controls_after(state, pressing({down(Key::escape), down(Key::escape)}));
+    EXPECT_EQ(now.commands, (std::vector{CommandCall{Command::stop_path}, CommandCall{Command::release_mouse}}));
+    state = {.is_path_playing = true};
+    EXPECT_EQ(commands(state, down(Key::escape)), std::vector{CommandCall{Command::stop_path}});
+}

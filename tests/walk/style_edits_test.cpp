@@ -97,7 +97,7 @@ TEST(style_rules, what_the_level_already_says_needs_no_rule)
 
 TEST(style_rules, a_hybrid_look_can_be_restored_in_full)
 {
-    const hw::StyleChoice rising{"assumed", "excavated", {.height = hw::Ramp{2.0f, 0.5f}}};
+    const hw::StyleChoice rising{"assumed", "excavated", {.height = hw::Ramp{2.0f, 0.5f}}, true};
     const hw::Scene scene = hall();
     EXPECT_EQ(after({}, scene, {{2, rising}})[2], rising);
 }
@@ -123,7 +123,7 @@ TEST(style_rules, on_random_scenes_exactly_the_wanted_objects_change)
         level.assign = {{.nodes = "*", .style = "assumed"}, {.materials = "Pl*", .style = "mixed", .over = "assumed"}};
         const auto before = choices(level, scene, {});
         const auto object = static_cast<hw::ObjectId>(random() % scene.objects.size());
-        const hw::StyleChoice wanted{kStyles[random() % 3], random() % 2 ? "" : "excavated", {.constant = 0.5f}};
+        const hw::StyleChoice wanted{kStyles[random() % 3], random() % 2 ? "" : "excavated", {.constant = 0.5f}, true};
         const auto now = after(level, scene, {{object, wanted}});
         for (hw::ObjectId other = 0; other < now.size(); ++other)
             EXPECT_EQ(now[other], cannot_be_told_apart(scene, object, other) ? wanted : before[other])
@@ -277,4 +277,47 @@ TEST(object_name, tells_the_material_only_where_it_is_needed)
 {
     EXPECT_EQ(hw::object_name(hall(), 0), "Hall (Plank)");
     EXPECT_EQ(hw::object_name(hall(), 2), "Hall/Column_01");
+}
+
+TEST(style_edits, a_hidden_parent_s_rule_leaves_the_children_as_they_are)
+{
+    const hw::Scene scene = hall();
+    for (hw::ObjectId object = 0; object < scene.objects.size(); ++object) {
+        hw::Level level;
+        level.assign = hw::rules_for({}, scene, "assumed", {{object, {.style = "", .visible = false}}});
+        const auto looks = hw::resolve_looks(level, scene, "assumed");
+        for (hw::ObjectId other = 0; other < looks.size(); ++other) {
+            const bool is_alike = scene.objects[other].node == scene.objects[object].node &&
+                                  scene.materials[scene.objects[other].material].name ==
+                                      scene.materials[scene.objects[object].material].name;
+            EXPECT_EQ(looks[other].is_visible, !is_alike) << object << ' ' << other;
+            EXPECT_TRUE(looks[other].style_pointer.empty()) << "nothing is said of styles";
+        }
+    }
+}
+
+TEST(style_edits, hiding_and_a_style_of_one_object_are_both_unsaved_and_undone_one_by_one)
+{
+    hw::StyleEdits edits;
+    edits.push({7, {.style = "assumed"}, {.style = "excavated"}});
+    edits.push({7, {.style = "", .visible = true}, {.style = "", .visible = false}});
+    EXPECT_EQ(edits.unsaved().at(7), (hw::StyleChoice{.style = "excavated", .visible = false}));
+    edits.undo();
+    EXPECT_EQ(edits.unsaved().at(7), (hw::StyleChoice{.style = "excavated"}));
+    edits.redo();
+    edits.mark_saved();
+    edits.undo();
+    EXPECT_EQ(edits.unsaved().at(7), (hw::StyleChoice{.style = "", .visible = true}));
+}
+
+TEST(style_edits, edits_that_belong_together_are_undone_and_redone_together)
+{
+    hw::StyleEdits edits;
+    edits.push({1, {.style = "a"}, {.style = "b"}});
+    edits.push({2, {.style = "a"}, {.style = "c"}});
+    edits.push({3, {.style = "a"}, {.style = "c"}, true});
+    EXPECT_EQ(edits.undo()->object, 2u);
+    EXPECT_EQ(edits.unsaved().size(), 1u);
+    EXPECT_EQ(edits.redo()->object, 2u);
+    EXPECT_EQ(edits.unsaved().size(), 3u);
 }

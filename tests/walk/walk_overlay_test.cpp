@@ -38,6 +38,12 @@ TEST(walk_overlay, names_the_object_under_the_cross_hair_and_its_style)
     EXPECT_FALSE(has(all_text({}), "Tab changes"));
 }
 
+TEST(walk_overlay, tells_the_certainty_of_the_object_under_the_cross_hair)
+{
+    const std::string text = all_text({.object = "Hall/Column_02", .style = "assumed", .certainty = 0.3});
+    EXPECT_TRUE(has(text, "Hall/Column_02: assumed, certainty 0.3")) << text;
+}
+
 TEST(walk_overlay, lines_at_the_bottom_do_not_lie_on_each_other)
 {
     for (const float width : {400.0f, 900.0f, 1280.0f, 3000.0f}) {

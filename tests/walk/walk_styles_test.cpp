@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
@@ -222,6 +223,48 @@ TEST_F(WalkStylesTest, a_name_that_is_too_long_for_a_level_is_told)
     EXPECT_THROW(styles.save_as(hw::level_file_for(file), {}, {}), hw::Error);
     EXPECT_TRUE(styles.has_unsaved());
     EXPECT_NE(styles.unsaved_text(), "");
+}
+
+TEST_F(WalkStylesTest, what_is_hidden_is_saved_as_a_rule_and_shown_again_in_one_step)
+{
+    open(level());
+    hw::WalkStyles styles(*stage_);
+    const auto hidden = [&] { return stage_->scene().hidden.size(); };
+    const auto style = stage_->looks()[0].style;
+    EXPECT_NE(styles.hide(0).find("hidden"), std::string::npos);
+    EXPECT_EQ(hidden(), 1u);
+    styles.undo();
+    EXPECT_EQ(hidden(), 0u);
+    styles.redo();
+    const std::string kept = styles.unsaved_text();
+    styles.save();
+    const hw::AssignRule saved = hw::read_level(level()).assign.back();
+    EXPECT_EQ(saved.visible, false);
+    EXPECT_FALSE(saved.style) << "hiding says nothing of styles";
+    std::this_thread::sleep_for(std::chrono::milliseconds(260));
+    stage_->reload_changed();
+    styles.stage_changed();
+    EXPECT_EQ(hidden(), 1u);
+    EXPECT_NE(styles.show_all().find("1 object is shown"), std::string::npos);
+    EXPECT_EQ(hidden(), 0u);
+    EXPECT_EQ(stage_->looks()[0].style, style);
+    EXPECT_EQ(styles.show_all(), "Nothing is hidden");
+    styles.save();
+    EXPECT_EQ(hw::resolve_looks(hw::read_level(level()), stage_->scene(), hw::kFallbackStyle)[0].is_visible, true);
+
+    open(level());
+    hw::WalkStyles next(*stage_);
+    EXPECT_NE(next.offer(kept), "");
+    next.redo();
+    EXPECT_EQ(hidden(), 1u) << "an offer brings back what was hidden";
+    EXPECT_EQ(stage_->looks()[0].style, style);
+}
+
+TEST_F(WalkStylesTest, the_certainty_is_told_with_the_style)
+{
+    open(level());
+    hw::WalkStyles styles(*stage_);
+    EXPECT_NE(styles.cycle(0, 1).find("certainty"), std::string::npos);
 }
 
 TEST(level_file_for, stands_beside_the_model)

@@ -45,12 +45,12 @@ struct FramePair {
 
 std::vector<FramePair> frame_pairs(const CoherenceArguments& arguments, const InkedLevel& level, glm::ivec2 size)
 {
-    const auto found = level.level().paths.find(arguments.path);
-    if (found == level.level().paths.end())
+    const CameraPath* named = find_named(level.level().paths, arguments.path);
+    if (named == nullptr)
         throw Error({.what = "--path " + arguments.path,
                      .file = arguments.file.string(),
                      .expected = "a camera path of the level"});
-    const CameraPath& path = found->second;
+    const CameraPath& path = *named;
     const SurfaceMotion motion(level.scene(), level.chunks());
     const int count = path_frame_count(path);
     std::mt19937 random(1);

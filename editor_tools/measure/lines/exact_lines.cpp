@@ -28,7 +28,7 @@ std::vector<CameraPlace> ExactLines::cameras(int count, double aspect) const
 {
     std::vector<CameraPlace> places;
     const auto add = [&](const Camera& c) { places.push_back({c.eye_world, c.target_world, c.fov_deg}); };
-    for (const auto& [name, camera] : level_.cameras)
+    for (const Camera& camera : level_.cameras)
         if (static_cast<int>(places.size()) < count) add(camera);
     if (!places.empty()) return places;
     const CameraPath around = turntable(scene(), aspect);

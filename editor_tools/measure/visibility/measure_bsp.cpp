@@ -7,7 +7,7 @@
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
-#include "hatchway/io/model/import.hpp"
+#include "hatchway/stage/level_world.hpp"
 #include "hatchway/world/visibility/visibility.hpp"
 #include "measure/measures.hpp"
 #include "measure/visibility/bsp_measure.hpp"
@@ -27,7 +27,7 @@ struct BspMeasureArguments {
 JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
 {
     const Level level = read_level(file);
-    const Scene scene = import_model(level.scene_file, level.project_root);
+    const Scene scene = open_scene(level);
     const auto start = std::chrono::steady_clock::now();
     VisibilityStats stats;
     double area_m2 = 0.0;

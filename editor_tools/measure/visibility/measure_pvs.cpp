@@ -6,7 +6,7 @@
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
-#include "hatchway/io/model/import.hpp"
+#include "hatchway/stage/level_world.hpp"
 #include "measure/measures.hpp"
 #include "measure/visibility/pvs_measure.hpp"
 #include "measure/visibility/slit_scenes.hpp"
@@ -54,7 +54,7 @@ JsonValue row_json(const std::string& file, const std::string& effort, const Vis
 void measure_file(const std::filesystem::path& file, const PvsMeasureArguments& arguments, JsonValue& rows)
 {
     const Level level = read_level(file);
-    Scene scene = import_model(level.scene_file, level.project_root);
+    Scene scene = open_scene(level);
     std::vector<MeshChunks> chunks;
     for (MeshData& mesh : scene.meshes) chunks.push_back(split_into_chunks(mesh));
     for (const std::string& effort : arguments.efforts) {

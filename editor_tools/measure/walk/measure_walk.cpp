@@ -9,7 +9,6 @@
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
-#include "hatchway/io/model/import.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/walk/walk_styles.hpp"
 #include "hatchway/world/looks.hpp"
@@ -43,9 +42,9 @@ std::vector<PlayerState> starts_in(const Level& level, const Scene& scene, const
         cameras.push_back({.eye_world = eye, .target_world = target});
     };
     if (level.start) add(level.start->position, level.start->look_at);
-    for (const auto& [name, camera] : level.cameras) cameras.push_back(camera);
+    cameras.insert(cameras.end(), level.cameras.begin(), level.cameras.end());
     cameras.insert(cameras.end(), scene.cameras.begin(), scene.cameras.end());
-    for (const auto& [name, path] : level.paths)
+    for (const CameraPath& path : level.paths)
         for (const PathKey& key : path.keys) add(key.position, key.look_at);
     const measure::JudgedBody judged{body.gait.capsule.radius_m, body.gait.capsule.height_m, body.gait.step_m};
     for (const glm::dvec3& foot : oracle.standing_places(judged, kPlaces, kPlaceSeed)) {
@@ -83,7 +82,7 @@ void tell_faults(const std::string& file, const WalkCounts& counts)
 JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArguments& arguments)
 {
     const Level level = read_level(file);
-    const Scene scene = import_model(level.scene_file, level.project_root);
+    const Scene scene = open_scene(level);
     const std::vector<ObjectLook> looks = resolve_looks(level, scene, kFallbackStyle);
     const CollisionWorld world = build_collision_world(scene, looks);
     const measure::WalkOracle oracle(scene, looks);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/gl/context.hpp"
@@ -8,6 +9,8 @@
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/level/level_doubts.hpp"
+#include "program/level/node_list.hpp"
+#include "program/level/style_doubts.hpp"
 #include "program/output_files.hpp"
 #include "program/pictures/world_shown.hpp"
 
@@ -36,34 +39,56 @@ JsonValue leaks_json(const std::vector<Leak>& leaks)
     return json;
 }
 
+JsonValue result_json(const CheckArguments& arguments, const Stage& stage, const std::vector<std::string>& doubts,
+                      const std::vector<Leak>& leaks)
+{
+    JsonValue warnings = JsonValue::array();
+    for (const std::string& doubt : doubts) warnings.push(doubt);
+    return JsonValue::object()
+        .set("level", arguments.level.file.string())
+        .set("objects", static_cast<std::uint64_t>(stage.scene().objects.size()))
+        .set("hidden_objects", static_cast<std::uint64_t>(stage.scene().hidden.size()))
+        .set("triangles", drawn_triangle_count(stage.scene()))
+        .set("is_compiled_level_used", stage.is_compiled_level_used())
+        .set("warnings", std::move(warnings))
+        .set("leaks", leaks_json(leaks));
+}
+
+std::string compiled_text(const Stage& stage)
+{
+    return stage.is_compiled_level_used() ? "visibility from the compiled level; " : "";
+}
+
 void check(const CheckArguments& arguments)
 {
     const std::vector<OutputFile> outputs{{"--json", arguments.json}};
     require_outputs(outputs, {arguments.level.file});
     const auto context = make_headless_context();
-    const Stage stage(*context, stage_options(arguments.level));
+    Stage stage(*context, stage_options(arguments.level, CompiledUse::where_kept));
     require_unread(outputs);
-    const std::vector<std::string> found = level_doubts(stage.level(), stage.scene());
+    std::vector<std::string> found = level_doubts(stage.level(), stage.scene());
+    for (std::string& doubt : style_doubts(*context, stage)) found.push_back(std::move(doubt));
     for (const std::string& doubt : found) log_warning(doubt);
+    // The stage has told these.
+    const std::vector<std::string>& of_model = stage.scene().doubts;
+    found.insert(found.end(), of_model.begin(), of_model.end());
+    const std::vector<std::string> failures = stage.style_failures();
     const bool is_sealed = stage.level().is_sealed;
     const std::vector<Leak> leaks = is_sealed ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
 
     const Scene& scene = stage.scene();
-    print_line(fmt::format(
-        "{}: good: {} objects, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
-        "paths; {} warnings",
-        arguments.level.file.string(), scene.objects.size(), drawn_triangle_count(scene), scene.materials.size(),
-        scene.lights.size() + stage.level().lights.size(), stage.level().styles.size(),
-        stage.level().cameras.size() + scene.cameras.size(), stage.level().paths.size(), found.size() + leaks.size()));
-    if (arguments.json.empty()) return;
-    JsonValue warnings = JsonValue::array();
-    for (const std::string& doubt : found) warnings.push(doubt);
-    write_json(arguments.json, JsonValue::object()
-                                   .set("level", arguments.level.file.string())
-                                   .set("objects", static_cast<std::uint64_t>(scene.objects.size()))
-                                   .set("triangles", drawn_triangle_count(scene))
-                                   .set("warnings", std::move(warnings))
-                                   .set("leaks", leaks_json(leaks)));
+    const std::size_t warnings = found.size() + leaks.size();
+    print_line(
+        fmt::format("{}: {}: {} objects{}, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
+                    "paths; {}{} warning{}",
+                    arguments.level.file.string(), failures.empty() ? "good" : "not drawn as it should be",
+                    scene.objects.size(), hidden_text(scene), drawn_triangle_count(scene), scene.materials.size(),
+                    scene.lights.size() + stage.level().lights.size(), stage.level().styles.size(),
+                    stage.level().cameras.size() + scene.cameras.size(), stage.level().paths.size(),
+                    compiled_text(stage), warnings, warnings == 1 ? "" : "s"));
+    if (!arguments.json.empty()) write_json(arguments.json, result_json(arguments, stage, found, leaks));
+    if (!failures.empty())
+        throw Error({.what = failures.front(), .file = arguments.level.file.string(), .fault = Fault::ours});
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ HatchTotals hatch_totals(const Scene& scene, const std::string& source)
     HatchTotals totals{.source = source};
     const auto start = std::chrono::steady_clock::now();
     for (const MeshData& mesh : scene.meshes) {
-        if (!is_all && !mesh.uv0.empty()) continue;
+        if (mesh.indices.empty() || (!is_all && !mesh.uv0.empty())) continue;
         const HatchCoordinates hatch = make_hatch_coordinates(mesh, made);
         ++totals.meshes;
         totals.vertices_added += hatch.vertex.size() - std::min(hatch.vertex.size(), mesh.positions.size());

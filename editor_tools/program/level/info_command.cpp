@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/drawing/scene_surfaces.hpp"
 #include "hatchway/io/json/out.hpp"
@@ -8,6 +10,7 @@
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/level/hatch_info.hpp"
+#include "program/level/node_list.hpp"
 #include "program/option_rules.hpp"
 #include "program/output_files.hpp"
 
@@ -69,14 +72,23 @@ MeshTotals totals_of(const Scene& scene)
     return totals;
 }
 
-JsonValue info_json(const LevelWorld& world, const VisibilityStats& visibility, const MeshTotals& totals)
+/// Of those with faces: what is hidden has none.
+std::uint64_t mesh_count(const Scene& scene)
 {
+    const auto has_faces = [](const MeshData& mesh) { return !mesh.indices.empty(); };
+    return static_cast<std::uint64_t>(std::ranges::count_if(scene.meshes, has_faces));
+}
+
+JsonValue info_json(const LevelWorld& world, const CompiledLevel& compiled, const MeshTotals& totals)
+{
+    const VisibilityStats& visibility = compiled.visibility.stats;
     const Scene& scene = world.scene;
     const SurfaceReport& report = totals.report;
     JsonValue json = JsonValue::object();
     json.set("triangles", report.triangles_in).set("triangles_drawn", drawn_triangle_count(scene));
     json.set("objects", static_cast<std::uint64_t>(scene.objects.size()));
-    json.set("meshes", static_cast<std::uint64_t>(scene.meshes.size()));
+    json.set("hidden_objects", static_cast<std::uint64_t>(scene.hidden.size()));
+    json.set("meshes", mesh_count(scene));
     json.set("materials", static_cast<std::uint64_t>(scene.materials.size()));
     json.set("faces_removed", report.removed_faces).set("collinear_faces", report.collinear_faces);
     json.set("components", report.components).set("closed_components", report.closed_components);
@@ -93,42 +105,30 @@ JsonValue info_json(const LevelWorld& world, const VisibilityStats& visibility, 
     json.set("leaves", visibility.leaves).set("portals", visibility.portals);
     json.set("coarse_portals", visibility.coarse_portals);
     json.set("average_visible_share", visibility.average_visible_share);
-    json.set("visibility_s", visibility.seconds);
+    json.set("visibility_s", visibility.seconds).set("is_compiled_level_used", compiled.is_from_cache);
     return json;
 }
 
-void print_info(const LevelWorld& world, const VisibilityStats& visibility, const MeshTotals& totals)
+void print_info(const LevelWorld& world, const CompiledLevel& compiled, const MeshTotals& totals)
 {
+    const VisibilityStats& visibility = compiled.visibility.stats;
     const SurfaceReport& report = totals.report;
     print_lines(fmt::format(
-        "model       {} objects, {} meshes, {} triangles ({} drawn)\n"
+        "model       {} objects{}, {} meshes, {} triangles ({} drawn)\n"
         "faces       {} removed, {} collinear, {} flips repaired\n"
         "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
         "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} inconsistent\n"
         "bytes       {:.1f} an edge, crease or candidate, and {:.1f} in clusters; {:.1f} a face in planes\n"
         "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; "
-        "{:.2f} s\n",
-        world.scene.objects.size(), world.scene.meshes.size(), report.triangles_in, drawn_triangle_count(world.scene),
-        report.removed_faces, report.collinear_faces, report.flipped_faces, report.components, report.closed_components,
-        report.inward_components, report.reflex_rule_components, totals.edges, report.border_edges,
-        report.complex_edges, report.artist_edges, report.stitched_edges, report.inconsistent_edges,
-        totals.per_edge(totals.bytes.edges), totals.per_edge(totals.bytes.clusters),
+        "{}\n",
+        world.scene.objects.size(), hidden_text(world.scene), mesh_count(world.scene), report.triangles_in,
+        drawn_triangle_count(world.scene), report.removed_faces, report.collinear_faces, report.flipped_faces,
+        report.components, report.closed_components, report.inward_components, report.reflex_rule_components,
+        totals.edges, report.border_edges, report.complex_edges, report.artist_edges, report.stitched_edges,
+        report.inconsistent_edges, totals.per_edge(totals.bytes.edges), totals.per_edge(totals.bytes.clusters),
         totals.per_face(totals.bytes.planes), visibility.leaves, visibility.portals, visibility.coarse_portals,
-        visibility.structure_polygons, 100.0 * visibility.average_visible_share, visibility.seconds));
-}
-
-/// What the rules of a level name: every node with objects, by its path, with the materials of its objects.
-void print_nodes(const Scene& scene)
-{
-    std::vector<std::vector<std::string>> materials(scene.nodes.size());
-    for (const Object& object : scene.objects) {
-        const std::string& name = scene.materials[object.material].name;
-        materials[object.node].push_back(name.empty() ? "(unnamed)" : name);
-    }
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-        if (!materials[i].empty())
-            print_line(
-                fmt::format("node        #{:<5} {:<40} {}", i, scene.nodes[i].path, fmt::join(materials[i], ", ")));
+        visibility.structure_polygons, 100.0 * visibility.average_visible_share,
+        compiled.is_from_cache ? "from the compiled level" : fmt::format("{:.2f} s", visibility.seconds)));
 }
 
 void info(const InfoArguments& arguments)
@@ -139,17 +139,17 @@ void info(const InfoArguments& arguments)
     if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
     const CompiledCache cache{arguments.cache};
     const auto world = open_world(level);
-    const VisibilityStats visibility =
-        find_or_compile_world(level, *world, {}, arguments.cache.empty() ? nullptr : &cache).visibility.stats;
+    const CompiledLevel compiled = find_or_compile_world(level, *world, {}, &cache);
     require_unread(outputs);
     const MeshTotals totals = totals_of(world->scene);
     const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
-    print_info(*world, visibility, totals);
+    print_info(*world, compiled, totals);
     print_lines(hatch_text(hatching));
-    if (arguments.has_nodes) print_nodes(world->scene);
+    if (arguments.has_nodes) print_lines(nodes_text(level, world->scene));
     if (arguments.json.empty()) return;
-    JsonValue json = info_json(*world, visibility, totals);
+    JsonValue json = info_json(*world, compiled, totals);
     add_hatch_json(hatching, json);
+    if (arguments.has_nodes) json.set("nodes", nodes_json(level, world->scene));
     write_json(arguments.json, json);
 }
 
@@ -161,7 +161,8 @@ void add_info_command(CommandLine app)
     CommandLine command =
         app.add_subcommand("info", "Says what a model is made of: faces, edges, components, visibility");
     command.add_option("level", arguments->file, "A bare model or a level").required().option_text("MODEL|LEVEL");
-    command.add_flag("--nodes", arguments->has_nodes, "List what a level's rules can name: node paths, materials");
+    command.add_flag("--nodes", arguments->has_nodes,
+                     "List what a level's rules can name, node paths and materials, and what they say of each");
     command
         .add_option(
             "--hatch", arguments->hatch,

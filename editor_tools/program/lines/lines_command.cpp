@@ -3,12 +3,12 @@
 #include <numbers>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/drawing/level_lines.hpp"
 #include "hatchway/io/drawings/pdf_drawing.hpp"
 #include "hatchway/io/drawings/svg_drawing.hpp"
 #include "hatchway/io/json/out.hpp"
-#include "hatchway/io/model/import.hpp"
 #include "hatchway/render/view/line_camera.hpp"
 #include "hatchway/stage/level_styles.hpp"
 #include "measure/lines/timed_lines.hpp"
@@ -56,7 +56,8 @@ VisibleLineOptions line_options(const LinesArguments& arguments)
 }
 
 /// The styles decide, where there are any: a bare model that was given none is drawn with one pen.
-LevelLines lines_of(const LinesArguments& arguments, const Level& level, const Scene& scene, const View& view)
+LevelLines lines_of(const LinesArguments& arguments, const Level& level, const Scene& scene,
+                    const PluginRegistry& registry, const View& view)
 {
     std::optional<float> crease_rad;
     if (arguments.crease_deg) crease_rad = static_cast<float>(*arguments.crease_deg * kRadians);
@@ -65,7 +66,6 @@ LevelLines lines_of(const LinesArguments& arguments, const Level& level, const S
         pen.crease_rad = crease_rad.value_or(pen.crease_rad);
         return LevelLines(scene, pen);
     }
-    const PluginRegistry registry({.folders = arguments.plugins.folders, .trial = arguments.plugins.trial()});
     return LevelLines(scene, level_pens(level, scene, registry, view), crease_rad);
 }
 
@@ -115,12 +115,15 @@ void draw_lines(const LinesArguments& arguments)
     check_arguments(arguments);
     const glm::ivec2 size = parse_size(arguments.size);
     const Level level = read_level_with(arguments.file, arguments.styles);
-    const Scene scene = import_model(level.scene_file, level.project_root);
+    const PluginRegistry registry({.folders = arguments.plugins.folders, .trial = arguments.plugins.trial()});
+    Scene scene = open_scene(level);
+    forget_unknown_styles(level, registry, scene);
+    for (const std::string& doubt : scene.doubts) log_warning(doubt);
     warn_of_idle_styles(level, scene, arguments.styles.size());
     const Shot shot = shots_of(arguments.shot, level, scene, static_cast<double>(size.x) / size.y).front();
     const View view = camera_view(shot.camera, size, scene.bounds_world);
     const LineCamera camera = line_camera(shot.camera, view);
-    LevelLines lines = lines_of(arguments, level, scene, view);
+    LevelLines lines = lines_of(arguments, level, scene, registry, view);
 
     VisibleLineOptions options = line_options(arguments);
     if (arguments.mode == "all") options.intersections = lines.intersections();

@@ -8,7 +8,7 @@
 #include "hatchway/geometry/silhouettes/silhouettes.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
-#include "hatchway/io/model/import.hpp"
+#include "hatchway/stage/level_world.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
 #include "program/option_rules.hpp"
@@ -129,7 +129,7 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     require_outputs(outputs, {arguments.file});
 
     const Level level = read_level(arguments.file);
-    const Scene scene = import_model(level.scene_file, level.project_root);
+    const Scene scene = open_scene(level);
     require_unread(outputs);
     const SilhouetteOptions options{.crease_rad = static_cast<float>(arguments.crease_deg * std::numbers::pi / 180.0),
                                     .method = method_named(arguments.method)};

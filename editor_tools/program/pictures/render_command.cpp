@@ -143,9 +143,13 @@ void render(const RenderArguments& arguments)
         if (arguments.has_stats) print_lines(stats_text(stats));
         progress.advance();
     }
-    for (const std::string& message : stage.messages()) log_warning(message);
     if (!arguments.json.empty())
         write_json(arguments.json, result_json(arguments, *context).set("frames", std::move(frames)));
+    const std::vector<std::string> failures = stage.style_failures();
+    if (!failures.empty())
+        throw Error({.what = fmt::format("not drawn as it should be: {}", failures.front()),
+                     .file = arguments.level.file.string(),
+                     .fault = Fault::ours});
 }
 
 }  // namespace

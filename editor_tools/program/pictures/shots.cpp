@@ -10,6 +10,7 @@
 #include "hatchway/world/camera_path.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
+#include "program/pictures/walk_cameras.hpp"
 
 namespace hw {
 namespace {
@@ -23,28 +24,17 @@ CameraPlace place_of(const Camera& camera)
 
 CameraPlace named_camera(const std::string& name, const Level& level, const Scene& scene)
 {
-    if (const auto found = level.cameras.find(name); found != level.cameras.end()) return place_of(found->second);
-    const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
-                                    [&](const Camera& camera) { return camera.name == name; });
-    if (found != scene.cameras.end()) return place_of(*found);
-
-    std::vector<std::string> names;
-    for (const auto& [known, camera] : level.cameras) names.push_back(known);
-    for (const Camera& camera : scene.cameras) names.push_back(camera.name);
-    throw Error({.what = fmt::format("--camera: there is no camera \"{}\"", name),
-                 .file = level.file.string(),
-                 .expected = names.empty() ? "--eye and --target: this level has no cameras"
-                                           : fmt::format("one of: {}", fmt::join(names, ", "))});
+    return place_of(camera_named(name, level, scene, "--eye and --target: this level has no cameras"));
 }
 
 CameraPath named_path(const std::string& name, const Level& level, const Scene& scene, double aspect)
 {
-    if (const auto found = level.paths.find(name); found != level.paths.end()) return found->second;
+    if (const CameraPath* path = find_named(level.paths, name)) return *path;
     if (name == kTour) log_info("the level has no path \"tour\": going once around the scene");
     if (name == kTour || name == kTurntable) return turntable(scene, aspect);
 
     std::vector<std::string> names;
-    for (const auto& [known, path] : level.paths) names.push_back(known);
+    for (const CameraPath& path : level.paths) names.push_back(path.name);
     names.emplace_back(kTurntable);
     throw Error({.what = fmt::format("--path: there is no path \"{}\"", name),
                  .file = level.file.string(),

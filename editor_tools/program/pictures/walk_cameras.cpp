@@ -8,16 +8,12 @@ namespace hw {
 
 std::vector<Camera> walk_cameras(const Level& level, const Scene& scene)
 {
-    std::vector<Camera> cameras;
-    for (const auto& [name, camera] : level.cameras) {
-        cameras.push_back(camera);
-        cameras.back().name = name;
-    }
+    std::vector<Camera> cameras = level.cameras;
     cameras.insert(cameras.end(), scene.cameras.begin(), scene.cameras.end());
     return cameras;
 }
 
-Camera camera_named(const std::string& name, const Level& level, const Scene& scene)
+Camera camera_named(const std::string& name, const Level& level, const Scene& scene, const std::string& instead)
 {
     const std::vector<Camera> cameras = walk_cameras(level, scene);
     std::vector<std::string> names;
@@ -27,8 +23,7 @@ Camera camera_named(const std::string& name, const Level& level, const Scene& sc
     }
     throw Error({.what = fmt::format("--camera: there is no camera \"{}\"", name),
                  .file = level.file.string(),
-                 .expected = names.empty() ? "no --camera: this level has none"
-                                           : fmt::format("one of: {}", fmt::join(names, ", "))});
+                 .expected = names.empty() ? instead : fmt::format("one of: {}", fmt::join(names, ", "))});
 }
 
 }  // namespace hw

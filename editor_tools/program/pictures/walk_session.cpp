@@ -15,6 +15,7 @@
 #include "hatchway/render/view/camera_view.hpp"
 #include "hatchway/stage/whole_scene.hpp"
 #include "hatchway/world/camera_path.hpp"
+#include "hatchway/world/hidden_objects.hpp"
 #include "hatchway/world/looks.hpp"
 #include "program/level/level_doubts.hpp"
 #include "program/pictures/picture_name.hpp"
@@ -31,6 +32,7 @@ constexpr double kKeepEvery_s = 2.0;      // changes that are not saved outlive 
 constexpr double kAskAgain_s = 5.0;       // a question waits so long for the second press
 constexpr double kSmallestWindow_px = 1;  // a minimised window has none
 constexpr std::chrono::milliseconds kIdle(50);
+constexpr const char* kNothingAimed = "There is nothing under the cross-hair";
 
 bool is_software(const DeviceInfo& device)
 {
@@ -75,7 +77,8 @@ WalkSession::WalkSession(Window& window, WalkOptions options) : window_(window),
     open(stage_options(options_.level, CompiledUse::in_background));
     warn_of_idle_styles(stage_->level(), stage_->scene(), options_.level.styles.size());
     Camera first = start_camera(stage_->level(), stage_->scene(), aspect_of(window));
-    if (!options_.camera.empty()) first = camera_named(options_.camera, stage_->level(), stage_->scene());
+    if (!options_.camera.empty())
+        first = camera_named(options_.camera, stage_->level(), stage_->scene(), "no --camera: this level has none");
     place(first);
 }
 
@@ -96,6 +99,7 @@ void WalkSession::open(const StageOptions& stage_options)
 void WalkSession::build_worlds()
 {
     pick_world_ = build_pick_world(stage_->scene());
+    hidden_ = hidden_objects(stage_->scene());
     leaks_ = options_.show.has_leaks ? told_leaks(stage_->level(), stage_->scene()) : std::vector<Leak>();
     collides_.clear();
     build_own_collision();
@@ -111,6 +115,12 @@ void WalkSession::build_own_collision()
     own_collision_.reset();
     if (std::find(collides_.begin(), collides_.end(), 0) != collides_.end())
         own_collision_ = build_collision_world(stage_->scene(), stage_->looks());
+}
+
+/// What is hidden neither is picked nor stops a walker.
+void WalkSession::follow_hidden()
+{
+    if (hidden_objects(stage_->scene()) != hidden_) build_worlds();
 }
 
 void WalkSession::place(const Camera& camera)
@@ -152,9 +162,11 @@ void WalkSession::frame()
 
 void WalkSession::take_input(double seconds)
 {
+    controls_.is_path_playing = playing_.has_value();
     const Controls controls = controls_after(controls_, window_.poll());
     controls_ = controls.state;
     for (const CommandCall& call : controls.commands) obey(call);
+    follow_hidden();
     if (playing_ && wants_to_move(controls.player)) place(camera());
     if (!playing_) move(controls.player, seconds);
     if (playing_ && now_s() - playing_->since_s > playing_->path.keys.back().t_s - playing_->path.keys.front().t_s)
@@ -174,7 +186,11 @@ void WalkSession::obey(const CommandCall& call)
     are_changes_kept_ = false;
     const auto cycle = [this](int direction) -> std::string {
         const auto object = aimed_object();
-        return object ? styles_->cycle(*object, direction) : "There is nothing under the cross-hair";
+        return object ? styles_->cycle(*object, direction) : kNothingAimed;
+    };
+    const auto hide_aimed = [this]() -> std::string {
+        const auto object = aimed_object();
+        return object ? styles_->hide(*object) : kNothingAimed;
     };
     switch (call.command) {
         case Command::quit:
@@ -192,6 +208,10 @@ void WalkSession::obey(const CommandCall& call)
             return tell_result([&] { return cycle(1); });
         case Command::previous_style:
             return tell_result([&] { return cycle(-1); });
+        case Command::hide:
+            return tell_result([&] { return hide_aimed(); });
+        case Command::show_all:
+            return tell_result([this] { return styles_->show_all(); });
         case Command::save_level:
             return tell_result([this] { return save_level(); });
         case Command::undo:
@@ -208,6 +228,8 @@ void WalkSession::obey(const CommandCall& call)
             return;
         case Command::play_path:
             return play_path();
+        case Command::stop_path:
+            return place(camera());
     }
 }
 
@@ -225,9 +247,10 @@ void WalkSession::go_to_camera(int number)
 void WalkSession::play_path()
 {
     if (playing_) return place(camera());
-    const auto& paths = stage_->level().paths;
+    const std::vector<CameraPath>& paths = stage_->level().paths;
     Playing playing{.path = turntable(stage_->scene(), aspect_of(window_)), .since_s = now_s()};
-    if (!paths.empty()) playing.path = paths.count("tour") ? paths.at("tour") : paths.begin()->second;
+    const CameraPath* tour = find_named(paths, kTour);
+    if (!paths.empty()) playing.path = tour ? *tour : paths.front();
     playing_ = std::move(playing);
 }
 
@@ -236,7 +259,7 @@ void WalkSession::quit()
     is_discarded_ = styles_->has_unsaved() && now_s() < quit_asked_until_s_;
     if (!styles_->has_unsaved() || is_discarded_) return window_.close();
     quit_asked_until_s_ = now_s() + kAskAgain_s;
-    tell("Styles were changed: Ctrl+S saves them, the same key again quits without", kAskAgain_s);
+    tell("The level was changed: Ctrl+S saves them, the same key again quits without", kAskAgain_s);
 }
 
 std::string WalkSession::save_level()
@@ -280,6 +303,7 @@ void WalkSession::reload()
         const Reload changed = stage_->reload_changed();
         if (changed == Reload::nothing) return;
         if (changed == Reload::world) build_worlds();
+        follow_hidden();
         build_own_collision();
         if (changed == Reload::world) player_ = in_world(player_, body_, collision());
         styles_->stage_changed();
@@ -364,6 +388,7 @@ WalkFacts WalkSession::facts(const FrameQuality& quality, const std::optional<Ob
     if (aimed) {
         const ObjectLook& look = stage_->looks()[*aimed];
         facts.object = object_name(stage_->scene(), *aimed);
+        facts.certainty = look.certainty;
         facts.style = look.over.empty() ? look.style : look.style + " under " + look.over;
     }
     for (const Notice& notice : notices_) facts.notices.push_back(notice.text);

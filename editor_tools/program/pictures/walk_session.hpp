@@ -54,6 +54,7 @@ class WalkSession {
     void open(const StageOptions& stage_options);
     void build_worlds();
     void build_own_collision();
+    void follow_hidden();
     const CollisionWorld& collision() const { return own_collision_ ? *own_collision_ : pick_world_.still; }
     void place(const Camera& camera);
 
@@ -88,6 +89,7 @@ class WalkSession {
     std::optional<Autosave> autosave_;
     std::vector<Leak> leaks_;  ///< Where they are to be shown.
     PickWorld pick_world_;
+    std::vector<ObjectId> hidden_;                 ///< As `pick_world_` was built.
     std::optional<CollisionWorld> own_collision_;  ///< Where some objects do not collide; else what is picked.
     std::vector<char> collides_;                   ///< For each object, as `own_collision_` was built.
     PlayerBody body_;

@@ -61,6 +61,7 @@ std::uint64_t compiled_level_key(std::uint64_t geometry_key, const Scene& scene,
     Key key;
     key.add(kCompiledLevelVersion);
     key.add(geometry_key);
+    for (const auto& [id, object] : scene.hidden) key.add(id);
     key.add(level.structure.has_value());
     if (level.structure) {
         for (const std::string& glob : *level.structure) key.add_text(glob);

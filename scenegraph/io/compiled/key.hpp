@@ -10,7 +10,8 @@ namespace hw {
 /// double-sided or animated.
 std::uint64_t geometry_key(const Scene& scene);
 
-/// Of all that a level's visibility is made from: geometry_key(), the level's structure among the scene's nodes, and
+/// Of all that a level's visibility is made from: geometry_key() of the whole scene, what is hidden of it now, the
+/// level's structure among the scene's nodes, and
 /// the options without effort, threads and budget.
 std::uint64_t compiled_level_key(std::uint64_t geometry_key, const Scene& scene, const Level& level,
                                  const VisibilityOptions& options);

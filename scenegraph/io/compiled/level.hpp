@@ -25,6 +25,7 @@ struct CompiledLevel {
     std::uint64_t key = 0;
     PvsEffort effort = PvsEffort::full;
     Visibility visibility;
+    bool is_from_cache = false;  ///< Found, not made just now.
 };
 
 /// The file of a level in a cache folder: the same wherever the level is named from, another for each level.

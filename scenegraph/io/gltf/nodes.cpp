@@ -11,6 +11,7 @@
 
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/gltf/accessor.hpp"
+#include "hatchway/io/gltf/extras.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {
@@ -76,23 +77,6 @@ std::vector<bool> moved_nodes(const GltfModel& model)
     return is_moved;
 }
 
-/// extras.hatchway.style, or "hatchway.style" as a custom property's name: what Blender's panel can make.
-const json* extra(const json& node, const char* name)
-{
-    const json::json_pointer nested(std::string("/extras/hatchway/") + name);
-    const json::json_pointer flat(std::string("/extras/hatchway.") + name);
-    for (const auto& place : {nested, flat})
-        if (node.contains(place)) return &node.at(place);
-    return nullptr;
-}
-
-void read_extras(const json& stated, Node& node)
-{
-    if (const json* style = extra(stated, "style"); style && style->is_string()) node.style = style->get<std::string>();
-    if (const json* certainty = extra(stated, "certainty"); certainty && certainty->is_number())
-        node.certainty = std::clamp(certainty->get<float>(), 0.0f, 1.0f);
-}
-
 /// The attributes of an instanced node.
 struct InstanceAttributes {
     std::optional<AccessorReader> translation;
@@ -152,6 +136,7 @@ void add_nodes(const GltfModel& model, const NodeOrder& order, Budget& budget, S
 {
     budget.spend(Cost::nodes, order.model_nodes.size(), model.file, "/nodes");
     const std::vector<bool> is_moved = moved_nodes(model);
+    ExtrasReader extras(model.file);
     for (std::size_t i = 0; i < order.model_nodes.size(); ++i) {
         const auto source = static_cast<std::size_t>(order.model_nodes[i]);
         const Node* parent = order.parents[i] == kNone ? nullptr : &scene.nodes[order.parents[i]];
@@ -163,12 +148,13 @@ void add_nodes(const GltfModel& model, const NodeOrder& order, Budget& budget, S
         node.local = local_transform(model.data.nodes[source]);
         node.world_from_node = parent ? parent->world_from_node * node.local : node.local;
         node.is_animated = is_moved[source] || (parent && parent->is_animated);
-        read_extras(model.json.at("nodes")[source], node);
+        extras.read(model.json.at("nodes")[source], pointer_to("/nodes", source), node);
         if (!is_bounded(node.world_from_node))
             model.refuse(pointer_to("/nodes", source), "the transform from the node to the world is too large",
                          fmt::format("elements up to {:g}", kMaxTransform));
         scene.nodes.push_back(std::move(node));
     }
+    scene.doubts = extras.doubts();
 }
 
 std::vector<glm::dmat4> instance_transforms(const GltfModel& model, int model_node)

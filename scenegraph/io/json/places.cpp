@@ -71,10 +71,11 @@ struct MemberPlace {
     JsonPlace value;
 };
 
-std::vector<MemberPlace> members_of_root(std::string_view text)
+/// Of the object that stands at or after `begin`.
+std::vector<MemberPlace> members_of(std::string_view text, std::size_t begin)
 {
     std::vector<MemberPlace> members;
-    JsonWalker walker(text, 0);
+    JsonWalker walker(text, begin);
     walker.peek();
     walker.step();
     while (walker.peek() == '"' || walker.peek() == ',') {
@@ -99,16 +100,25 @@ JsonPlace root_place(std::string_view text)
 
 std::optional<JsonPlace> member_place(std::string_view text, std::string_view name)
 {
-    for (const MemberPlace& member : members_of_root(text))
+    for (const MemberPlace& member : members_of(text, 0))
         if (member.name == name) return member.value;
     return {};
 }
 
 std::optional<JsonPlace> last_member_place(std::string_view text)
 {
-    const std::vector<MemberPlace> members = members_of_root(text);
+    const std::vector<MemberPlace> members = members_of(text, 0);
     if (members.empty()) return {};
     return members.back().value;
+}
+
+std::vector<std::string> member_names(std::string_view text, std::string_view name)
+{
+    std::vector<std::string> names;
+    const std::optional<JsonPlace> object = member_place(text, name);
+    if (!object || text[object->begin] != '{') return names;
+    for (MemberPlace& member : members_of(text, object->begin)) names.push_back(std::move(member.name));
+    return names;
 }
 
 std::vector<JsonPlace> element_places(std::string_view text, const JsonPlace& array)

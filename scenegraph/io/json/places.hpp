@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,9 @@ JsonPlace root_place(std::string_view text);
 std::optional<JsonPlace> member_place(std::string_view text, std::string_view name);
 /// The value of the root's last member; nothing when the root is empty.
 std::optional<JsonPlace> last_member_place(std::string_view text);
+/// The names of the members of an object that is a member of the root, in the order of the text; none where there is no
+/// such object.
+std::vector<std::string> member_names(std::string_view text, std::string_view name);
 /// The elements of the array that stands at `array`.
 std::vector<JsonPlace> element_places(std::string_view text, const JsonPlace& array);
 

@@ -40,19 +40,24 @@ std::string entry_text(const StyleAssignment& assignment)
 {
     std::string text = "{\"nodes\": " + quoted(assignment.nodes);
     if (!assignment.materials.empty()) text += ", \"materials\": " + quoted(assignment.materials);
-    text += ", \"style\": " + quoted(assignment.style);
+    if (!assignment.style.empty()) text += ", \"style\": " + quoted(assignment.style);
     if (!assignment.over.empty())
         text += ", \"over\": " + quoted(assignment.over) + ", \"presence\": " + presence_text(assignment.presence);
+    if (assignment.visible) text += fmt::format(", \"visible\": {}", *assignment.visible);
     return text + '}';
 }
 
 /// Whether an entry says nothing but what a later entry for the same nodes and materials says anew.
 bool is_superseded(const json& entry, const StyleAssignment& assignment)
 {
-    for (const auto& [key, value] : entry.items())
-        if (key != "nodes" && key != "materials" && key != "style" && key != "over" && key != "presence") return false;
+    for (const auto& [key, value] : entry.items()) {
+        const bool is_of_style = key == "style" || key == "over" || key == "presence";
+        const bool is_said_anew = is_of_style ? !assignment.style.empty() : key == "visible" && assignment.visible;
+        if (key != "nodes" && key != "materials" && !is_said_anew) return false;
+    }
     return entry.value("nodes", "") == assignment.nodes && entry.value("materials", "") == assignment.materials &&
-           entry.contains("style") && (!entry.contains("presence") || entry.contains("over"));
+           (entry.contains("style") || entry.contains("visible")) &&
+           (!entry.contains("presence") || entry.contains("over"));
 }
 
 /// Removes an element of a list with the line that it stands on, if nothing else stands there.
@@ -158,7 +163,7 @@ std::string with_assignments(std::string text, std::span<const StyleAssignment> 
     const json before = parse_json(text, file.string(), JsonComments::allowed);
     parse_level(text, file);
     for (const StyleAssignment& assignment : assignments) {
-        HW_ASSERT(!assignment.nodes.empty() && !assignment.style.empty());
+        HW_ASSERT(!assignment.nodes.empty() && (!assignment.style.empty() || assignment.visible));
         if (replace_last(text, assignment)) continue;
         remove_superseded(text, assignment);
         if (const std::optional<JsonPlace> list = member_place(text, "assign"))

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,13 +11,14 @@
 
 namespace hw {
 
-/// A style given to nodes, or to one material on them, while walking.
+/// A style given to nodes, or to one material on them, while walking, or whether they are visible, or both.
 struct StyleAssignment {
-    std::string nodes;  ///< As AssignRule::nodes: a path glob or "#12".
-    std::string style;
-    std::string materials = {};   ///< As AssignRule::materials: a glob; empty: all, and no such key is written.
-    std::string over = {};        ///< A second style over the first; empty: none, and no such key is written.
-    PresenceField presence = {};  ///< Of `over`; written with it.
+    std::string nodes;                 ///< As AssignRule::nodes: a path glob or "#12".
+    std::string style = {};            ///< Empty: as before.
+    std::string materials = {};        ///< As AssignRule::materials: a glob; empty: all, and no such key is written.
+    std::string over = {};             ///< A second style over the first; empty: none, and no such key is written.
+    PresenceField presence = {};       ///< Of `over`; written with it.
+    std::optional<bool> visible = {};  ///< Absent: as before.
 };
 
 /// The text of a level file with assignments added at the end of "assign", where they win over all others. Comments and

@@ -8,6 +8,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
+#include "hatchway/io/json/places.hpp"
 #include "hatchway/io/level/reader.hpp"
 #include "hatchway/io/model/import.hpp"
 
@@ -36,6 +37,15 @@ Level bare_model(const fs::path& file)
     return level;
 }
 
+/// JSON objects are read in the order of their keys; people count in the order of the file.
+template <typename Named>
+void put_in_order(std::vector<Named>& all, const std::vector<std::string>& names)
+{
+    std::map<std::string_view, std::size_t> place;
+    for (std::size_t i = 0; i < names.size(); ++i) place[names[i]] = i;
+    std::ranges::sort(all, {}, [&](const Named& one) { return place.at(one.name); });
+}
+
 }  // namespace
 
 fs::path find_project_root(const fs::path& file)
@@ -56,7 +66,8 @@ Level parse_level(const std::string& text, const fs::path& file)
     level.project_root = find_project_root(file);
     const nlohmann::json document = parse_json(text, file.string(), JsonComments::allowed);
     LevelReader::read(document, level);
-    for (auto& [name, camera] : level.cameras) camera.name = name;
+    put_in_order(level.cameras, member_names(text, "cameras"));
+    put_in_order(level.paths, member_names(text, "paths"));
     return level;
 }
 

@@ -120,6 +120,7 @@ void visit_keys(Visitor& v, AssignRule& rule)
     v.real({"certainty", "How certain the objects are, from conjecture to find."}, kFraction, rule.certainty);
     v.object({"maps", "Maps of these objects, instead of the style's."}, maps);
     v.flag({"collides", "Whether a walker bumps into these objects."}, rule.collides);
+    v.flag({"visible", "False: as if these objects were not in the model."}, rule.visible);
 }
 
 template <typename Visitor>

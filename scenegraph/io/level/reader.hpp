@@ -90,6 +90,19 @@ class LevelReader {
         return true;
     }
 
+    /// Things that know their names; in any order.
+    template <typename T>
+    bool named(const LevelKey& key, std::vector<T>& values)
+    {
+        std::map<std::string, T> by_name;
+        const bool is_stated = named(key, by_name);
+        for (auto& [name, value] : by_name) {
+            values.push_back(std::move(value));
+            values.back().name = name;
+        }
+        return is_stated;
+    }
+
     template <typename T>
     bool object(const LevelKey& key, std::optional<T>& value)
     {

@@ -145,6 +145,12 @@ class SchemaWriter {
         T value{};
         return add(key, {{"type", "object"}, {"additionalProperties", object_schema(value)}});
     }
+    template <typename T>
+    bool named(const LevelKey& key, std::vector<T>&)
+    {
+        std::map<std::string, T> by_name;
+        return named(key, by_name);
+    }
 
     void one_of(std::string_view first, std::string_view second)
     {

@@ -1,5 +1,6 @@
 #include "hatchway/render/device/program_store.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -69,6 +70,20 @@ bool has_own_discard(const ShaderText& fragment)
     int count = 0;
     for (std::size_t at = 0; (at = fragment.text.find("discard;", at)) != std::string::npos; ++at) ++count;
     return count > 1;
+}
+
+bool is_word_part(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+bool has_word(const std::string& text, std::string_view word)
+{
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !is_word_part(text[at - 1])) && (end == text.size() || !is_word_part(text[end]))) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -185,14 +200,19 @@ Program ProgramStore::add(const fs::path& folder, std::string_view vertex_file, 
     return {id};
 }
 
-std::unique_ptr<LinkedProgram> ProgramStore::compile(const Family& family, SurfaceFeatures features)
+ProgramText ProgramStore::text_of(const Family& family, SurfaceFeatures features) const
 {
     const std::string defines = feature_defines(features) + family.defines;
     const fs::path engine[] = {engine_folder_};
-    const ShaderText vertex = load_shader(family.vertex_file, engine, defines);
-    const ShaderText fragment = load_shader(family.fragment_file, family.folders, defines);
+    return {load_shader(family.vertex_file, engine, defines),
+            load_shader(family.fragment_file, family.folders, defines)};
+}
+
+std::unique_ptr<LinkedProgram> ProgramStore::compile(const Family& family, SurfaceFeatures features)
+{
+    const ProgramText text = text_of(family, features);
     auto linked = std::make_unique<LinkedProgram>();
-    linked->gpu = GpuProgram(vertex, fragment, is_es_);
+    linked->gpu = GpuProgram(text.vertex, text.fragment, is_es_);
     linked->at = locations_of(linked->gpu);
     ++compiled_count_;
     return linked;
@@ -224,6 +244,26 @@ const LinkedProgram* ProgramStore::surface(Program program, SurfaceFeatures feat
     if (family == nullptr) return nullptr;
     const LinkedProgram* linked = variant(*family, features);
     return linked != nullptr || program.id == plain_.id ? linked : surface(plain_, features);
+}
+
+bool ProgramStore::is_named(Program program, std::string_view word) const
+{
+    if (!program.is_valid() || program.id > families_.size()) return false;
+    const fs::path& folder = families_[program.id - 1]->folders.front();
+    return std::ranges::any_of(families_, [&](const std::unique_ptr<Family>& family) {
+        return family->folders.front() == folder &&
+               has_word(load_shader(family->fragment_file, family->folders, {}).text, word);
+    });
+}
+
+std::vector<ProgramText> ProgramStore::style_shaders() const
+{
+    std::vector<ProgramText> texts;
+    for (const std::unique_ptr<Family>& family : families_) {
+        if (family->folders.front() == engine_folder_) continue;
+        for (const auto& [features, program] : family->variants) texts.push_back(text_of(*family, features));
+    }
+    return texts;
 }
 
 bool ProgramStore::discards(Program program) const

@@ -73,6 +73,12 @@ struct LinkedProgram {
     SurfaceLocations at{};
 };
 
+/// The stages of a program, as they were compiled.
+struct ProgramText {
+    ShaderText vertex;
+    ShaderText fragment;
+};
+
 /// All programs of a renderer: styles' and the engine's own. Ids stay valid when files are read anew.
 class ProgramStore {
  public:
@@ -101,6 +107,11 @@ class ProgramStore {
     /// Compiles everything anew from the files. A program that fails keeps what it had; the first failure is thrown
     /// when all have been tried.
     void reload();
+    /// Whether a fragment stage of the same folder as the program's names this word, such as a uniform: a style may
+    /// share its uniforms among its programs.
+    bool is_named(Program program, std::string_view word) const;
+    /// Every combination that has been compiled, of programs that are not the engine's own.
+    std::vector<ProgramText> style_shaders() const;
     int compiled_count() const { return compiled_count_; }
 
  private:
@@ -109,6 +120,7 @@ class ProgramStore {
 
     Program add(const std::filesystem::path& folder, std::string_view vertex_file, std::string_view fragment_file,
                 std::string_view defines);
+    ProgramText text_of(const Family& family, SurfaceFeatures features) const;
     std::unique_ptr<LinkedProgram> compile(const Family& family, SurfaceFeatures features);
     const LinkedProgram* variant(Family& family, SurfaceFeatures features);
     /// Null for an invalid id or one that was made with another vertex stage.

@@ -212,6 +212,7 @@ void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, c
     const std::uint32_t indices_per_line = as_quads ? 6 : 2;
     state_.bind(as_quads ? buffer.as_quads : buffer.as_ends);
     for (const Stretch& s : stretches) {
+        if (program.primitive != Primitive::points) counters_.lines += s.count;
         PipelineState pipeline = kLineState;
         if (!as_quads) pipeline.line_width_px = s.width_px;
         state_.apply(pipeline);

@@ -25,6 +25,7 @@ struct FrameOptions {
     FaceOffset line_offset;
     bool is_timed = false;  ///< Wait for the device after each phase, so that phases can be told apart.
     Overlay overlay;
+    bool is_rehearsal = false;            ///< What styles say in vain is remarked, too, and remarks are not logged.
     std::optional<ImageKey> shown_image;  ///< Shown in place of the picture: an image of the frame.
 };
 

@@ -120,6 +120,10 @@ std::vector<bool> find_receivers(const Scene& scene, std::span<const ObjectId> r
     std::vector<bool> result(scene.objects.size(), receivers.empty());
     for (const ObjectId id : receivers) result[id] = true;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) result[id] = result[id] && receives_light(scene, id);
+    if (std::ranges::find(result, true) == result.end())
+        throw Error({.what = "nothing gets baked light",
+                     .file = scene.file,
+                     .expected = "an object that is visible and whose material is lit"});
     return result;
 }
 
@@ -217,13 +221,14 @@ Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t bu
         if (!place_objects(scene, is_receiver, budget, lightmap)) continue;
         if (density < luxels_per_m)
             log_info("Lightmap: " + std::to_string(density) + " luxels per metre instead of " +
-                     std::to_string(luxels_per_m) + ", to keep the budget");
+                     std::to_string(luxels_per_m) +
+                     ", to keep the budget; `hatchway bake --nodes GLOB` bakes fewer nodes, more finely");
         lightmap.luxels.assign(static_cast<std::size_t>(lightmap.size.x) * lightmap.size.y, kDark);
         return lightmap;
     }
     throw Error({.what = "the lightmap takes more than " + std::to_string(budget) + " luxels at any density",
                  .file = scene.file,
-                 .expected = "a larger budget"});
+                 .expected = "fewer nodes: `hatchway bake --nodes GLOB` bakes those of a glob"});
 }
 
 }  // namespace hw

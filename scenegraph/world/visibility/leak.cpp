@@ -253,10 +253,10 @@ std::vector<InsidePlace> inside_places(const Level& level)
 {
     if (level.start) return {{"start", level.start->position}};
     std::vector<InsidePlace> places;
-    for (const auto& [name, camera] : level.cameras) places.push_back({"camera " + name, camera.eye_world});
+    for (const Camera& camera : level.cameras) places.push_back({"camera " + camera.name, camera.eye_world});
     if (!places.empty()) return places;
-    for (const auto& [name, path] : level.paths)
-        for (const PathKey& key : path.keys) places.push_back({"path " + name, key.position});
+    for (const CameraPath& path : level.paths)
+        for (const PathKey& key : path.keys) places.push_back({"path " + path.name, key.position});
     return places;
 }
 

@@ -447,8 +447,48 @@ TEST(gltf_import, extras_name_a_style_and_a_certainty)
     EXPECT_EQ(import_model(builder).nodes[0].certainty, 0.25f);
     builder.json["nodes"][0]["extras"] = {{"hatchway.style", "found"}};
     EXPECT_EQ(import_model(builder).nodes[0].style, "found") << "a custom property of Blender is flat";
-    builder.json["nodes"][0]["extras"] = {{"hatchway", {{"certainty", 2}}}};
-    EXPECT_EQ(error_of([&] { import_model(builder); }).pointer, "/nodes/0/extras/hatchway/certainty");
+    EXPECT_TRUE(import_model(builder).doubts.empty());
+}
+
+TEST(gltf_import, a_plain_custom_property_certainty_is_read_as_a_number_or_a_text)
+{
+    ModelBuilder builder = triangle_model();
+    const auto certainty_of = [&](const nlohmann::json& extras) {
+        builder.json["nodes"][0]["extras"] = extras;
+        const hw::Scene scene = import_model(builder);
+        EXPECT_TRUE(scene.doubts.empty()) << extras;
+        return scene.nodes[0].certainty;
+    };
+    EXPECT_EQ(certainty_of({{"certainty", 0.25}}), 0.25f);
+    EXPECT_EQ(certainty_of({{"certainty", " 0.25 "}}), 0.25f);
+    EXPECT_EQ(certainty_of({{"certainty", 0.25}, {"hatchway.certainty", 0.5}}), 0.5f);
+    EXPECT_EQ(certainty_of({{"certainty", 0.25}, {"hatchway", {{"certainty", "0.75"}}}}), 0.75f);
+    EXPECT_FALSE(certainty_of({{"Certainty", 0.25}, {"colour", "red"}}).has_value()) << "others' properties";
+}
+
+TEST(gltf_import, what_extras_say_in_vain_is_named_once_for_each_kind_and_refuses_nothing)
+{
+    const std::vector<std::pair<nlohmann::json, std::string>> cases{
+        {{{"certainty", "high"}}, "/nodes/0/extras/certainty: the text \"high\""},
+        {{{"certainty", "nan"}}, "/nodes/0/extras/certainty"},
+        {{{"certainty", true}}, "/nodes/0/extras/certainty"},
+        {{{"certainty", 80}}, "/nodes/0/extras/certainty: the number 80"},
+        {{{"hatchway", {{"certainty", 2}}}}, "/nodes/0/extras/hatchway/certainty"},
+        {{{"hatchway", {{"stlye", "ink"}}}}, "\"stlye\""},
+        {{{"hatchway.stlye", "ink"}}, "\"stlye\""},
+        {{{"hatchway", {{"style", 3}}}}, "/nodes/0/extras/hatchway/style"},
+        {{{"hatchway", "ink"}}, "/nodes/0/extras/hatchway"}};
+    for (const auto& [extras, told] : cases) {
+        ModelBuilder builder = triangle_model();
+        builder.json["nodes"][0]["extras"] = extras;
+        builder.push("nodes", builder.json["nodes"][0]);
+        builder.json["scenes"][0]["nodes"] = {0, 1};
+        const hw::Scene scene = import_model(builder);
+        ASSERT_EQ(scene.doubts.size(), 1u) << extras;
+        EXPECT_NE(scene.doubts[0].find(told), std::string::npos) << scene.doubts[0];
+        EXPECT_NE(scene.doubts[0].find("1 more"), std::string::npos) << scene.doubts[0];
+        EXPECT_FALSE(scene.nodes[0].style.has_value());
+    }
 }
 
 TEST(gltf_import, what_an_animation_moves_is_animated_with_its_children)

@@ -114,6 +114,22 @@ std::optional<std::string> added(const std::string& before, const std::string& a
 
 }  // namespace
 
+TEST(level_edit, what_is_hidden_is_a_rule_of_its_own_and_replaces_only_its_like)
+{
+    const EditedLevel level;
+    const std::string hidden = level.edit(kLevel, {{.nodes = "Roof", .visible = false}});
+    EXPECT_EQ(level.parse(hidden).assign.back().visible, false);
+    EXPECT_FALSE(level.parse(hidden).assign.back().style);
+    const std::string inked = level.edit(hidden, {{.nodes = "Roof", .style = "ink"}});
+    EXPECT_EQ(level.parse(inked).assign.size(), 4u);
+    const std::string shown =
+        level.edit(inked, {{.nodes = "Roof", .visible = true}, {.nodes = "Roof", .style = "ink"}});
+    const hw::Level last = level.parse(shown);
+    EXPECT_EQ(last.assign.back().style, "ink");
+    EXPECT_EQ(last.assign.at(last.assign.size() - 2).visible, true);
+    EXPECT_LE(last.assign.size(), 5u);
+}
+
 TEST(level_edit, an_assignment_goes_to_the_end_and_all_else_stays)
 {
     const EditedLevel level;

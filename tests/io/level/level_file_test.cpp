@@ -85,7 +85,7 @@ TEST(level_file, every_key_is_read)
         "assign": [
             {"nodes": "*", "style": "assumed"},
             {"nodes": "#12", "materials": "Plank*", "maps": {"ink": "maps/ink/plank"}, "certainty": 0.4,
-             "over": "photoreal", "collides": false,
+             "over": "photoreal", "collides": false, "visible": false,
              "presence": {"constant": 0.5, "height": {"from_m": 3, "to_m": 1}, "time": {"from_s": 1, "to_s": 2}}}
         ],
         "certainty_styles": [{"from": 0.5, "style": "assumed"}],
@@ -118,19 +118,39 @@ TEST(level_file, every_key_is_read)
     EXPECT_EQ(rule.over, "photoreal");
     EXPECT_EQ(rule.certainty, 0.4);
     EXPECT_EQ(rule.collides, false);
+    EXPECT_EQ(rule.visible, false);
+    EXPECT_FALSE(level.assign.at(0).visible);
     EXPECT_EQ(rule.presence, (hw::PresenceField{0.5f, hw::Ramp{3.0f, 1.0f}, hw::Ramp{1.0f, 2.0f}}));
     EXPECT_FALSE(level.assign.at(0).presence || level.assign.at(0).certainty || level.assign.at(0).collides);
     EXPECT_EQ(level.certainty_styles.at(0).from, 0.5);
-    EXPECT_EQ(level.cameras.at("door").name, "door");
-    EXPECT_EQ(level.cameras.at("door").fov_deg, 75.0);
-    EXPECT_EQ(level.paths.at("tour").fps, 30.0);
-    EXPECT_EQ(level.paths.at("tour").keys.at(1).t_s, 2.0);
+    EXPECT_EQ(level.cameras.at(0).name, "door");
+    EXPECT_EQ(level.cameras.at(0).fov_deg, 75.0);
+    EXPECT_EQ(level.paths.at(0).fps, 30.0);
+    EXPECT_EQ(level.paths.at(0).keys.at(1).t_s, 2.0);
     EXPECT_EQ(level.lights.at(0).direction_world, glm::dvec3(0, -1, 0)) << "made unit";
     EXPECT_EQ(level.lights.at(0).colour, glm::vec3(1, 0, 0));
     EXPECT_EQ(level.lights.at(0).intensity, 50000.0f);
     EXPECT_EQ(level.lights.at(1).type, hw::LightType::spot);
     EXPECT_NEAR(level.lights.at(1).outer_cone_rad, 1.0471975, 1e-6);
     EXPECT_EQ(level.lights.at(1).range_m, 9.0f);
+}
+
+TEST(level_file, cameras_and_paths_keep_the_order_of_the_file)
+{
+    const auto camera = [](const std::string& name) {
+        return '"' + name + R"(": {"position": [0, 0, 0], "look_at": [1, 0, 0]})";
+    };
+    const auto path = [](const std::string& name) {
+        return '"' + name + R"(": {"keys": [{"t_s": 0, "position": [0, 0, 0], "look_at": [1, 0, 0]}]})";
+    };
+    const hw::Level level = level_of("\"cameras\": {" + camera("well") + ", /* \"no\": */ " + camera("\\u0061 b") +
+                                     "," + camera("door") + "}, \"paths\": {" + path("z") + "," + path("a") + '}');
+    ASSERT_EQ(level.cameras.size(), 3u);
+    EXPECT_EQ(level.cameras[0].name, "well");
+    EXPECT_EQ(level.cameras[1].name, "a b");
+    EXPECT_EQ(level.cameras[2].name, "door");
+    EXPECT_EQ(level.paths.at(0).name, "z");
+    EXPECT_EQ(level.paths.at(1).name, "a");
 }
 
 TEST(level_file, an_unknown_key_is_named_with_those_that_exist)

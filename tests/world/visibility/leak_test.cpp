@@ -123,9 +123,9 @@ TEST(leak, looks_from_the_start_or_else_from_the_cameras_or_paths)
 {
     Level level;
     EXPECT_TRUE(inside_places(level).empty());
-    level.paths["tour"].keys = {{0.0, {1, 2, 3}, {}}, {1.0, {4, 5, 6}, {}}};
+    level.paths = {{.name = "tour", .keys = {{0.0, {1, 2, 3}, {}}, {1.0, {4, 5, 6}, {}}}}};
     EXPECT_EQ(inside_places(level).size(), 2u);
-    level.cameras["door"].eye_world = {7, 8, 9};
+    level.cameras = {{.name = "door", .eye_world = {7, 8, 9}}};
     ASSERT_EQ(inside_places(level).size(), 1u);
     EXPECT_EQ(inside_places(level)[0].name, "camera door");
     level.start = StartPlace{};

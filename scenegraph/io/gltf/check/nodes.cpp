@@ -93,21 +93,6 @@ void check_transform(const GltfChecked& gltf, const json& node, const std::strin
     }
 }
 
-/// Our own words in a node's extras.
-void check_extras(const GltfChecked& gltf, const json& node, const std::string& pointer)
-{
-    const json::json_pointer place("/extras/hatchway");
-    if (!node.contains(place)) return;
-    const json& words = node.at(place);
-    if (!words.is_object()) gltf.refuse(pointer + "/extras/hatchway", "stands " + described(words), "an object");
-    if (words.contains("style") && !words.at("style").is_string())
-        gltf.refuse(pointer + "/extras/hatchway/style", "stands " + described(words.at("style")), "a text");
-    if (!words.contains("certainty")) return;
-    const json& certainty = words.at("certainty");
-    if (!certainty.is_number() || certainty.get<double>() < 0.0 || certainty.get<double>() > 1.0)
-        gltf.refuse(pointer + "/extras/hatchway/certainty", "stands " + described(certainty), "a number from 0 to 1");
-}
-
 }  // namespace
 
 void check_nodes(const GltfChecked& gltf)
@@ -116,10 +101,7 @@ void check_nodes(const GltfChecked& gltf)
     check_loops(gltf, parents);
     check_scenes(gltf, parents);
     const json& nodes = gltf.list("nodes");
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        check_transform(gltf, nodes[i], pointer_to("/nodes", i));
-        check_extras(gltf, nodes[i], pointer_to("/nodes", i));
-    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) check_transform(gltf, nodes[i], pointer_to("/nodes", i));
 }
 
 }  // namespace hw
