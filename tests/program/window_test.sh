@@ -101,6 +101,21 @@ press ctrl+s
 is_back() { [ "$(style_of_assign)" = "$first_style" ]; }
 wait_for 5 "the style that was taken back" is_back
 
+# What the cross-hair is on is hidden, and the file says so; then all is shown again. A path that plays is stopped by Esc.
+press 0
+press h
+press ctrl+s
+is_hidden() { says '"visible": false' "$level"; }
+wait_for 5 "the saved rule that hides" is_hidden
+sleep 1
+press alt+h
+press ctrl+s
+is_shown() { ! is_hidden; }
+wait_for 5 "the rule that hides to go" is_shown
+press p
+press Escape
+is_gone && fail "Esc ended the walk while a path played"
+
 # A broken level leaves the last good state on screen; once it is right again, all goes on.
 good=$(cat "$level")
 echo '{ broken' >"$level"
