@@ -9,6 +9,8 @@
 namespace hw {
 namespace {
 
+constexpr std::size_t kMostUnknown = 8;  // styles that are told: a stranger's model may name any number
+
 class NoPrograms final : public ProgramCache {
  public:
     Program surface(std::string_view, std::string_view) override { return {1}; }
@@ -42,10 +44,22 @@ void forget_unknown_styles(const Level& level, const PluginRegistry& registry, S
         ++unknown[*node.style];
         node.style.reset();
     }
-    for (const auto& [name, count] : unknown)
-        scene.doubts.push_back(fmt::format(
-            "{}: {} node{} the style \"{}\", which no plugin is and no level defines: drawn as if nothing were said",
-            scene.file, count, count == 1 ? " names" : "s name", name));
+    std::size_t told = 0;
+    for (const auto& [name, count] : unknown) {
+        if (++told > kMostUnknown) break;
+        const std::string who = count == 1 ? "a node names" : fmt::format("{} nodes name", count);
+        const std::string what =
+            who + " the style \"" + name + "\", which there is not: drawn as if that were not said";
+        scene.doubts.emplace_back(
+            Error({.what = what,
+                   .file = scene.file,
+                   .expected = "a plugin, or a level that defines it; plugins are " +
+                               fmt::format("{}", fmt::join(registry.names(PluginKind::style), ", "))})
+                .what());
+    }
+    if (unknown.size() > kMostUnknown)
+        scene.doubts.push_back(fmt::format("{}: nodes name {} more styles which there are not", scene.file,
+                                           unknown.size() - kMostUnknown));
 }
 
 std::vector<ObjectPens> level_pens(const Level& level, const Scene& scene, const PluginRegistry& registry,

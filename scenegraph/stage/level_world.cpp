@@ -15,6 +15,7 @@
 #include "hatchway/world/hidden_objects.hpp"
 #include "hatchway/world/light/bake.hpp"
 #include "hatchway/world/looks.hpp"
+#include "hatchway/world/visibility/tree/structure.hpp"
 
 namespace hw {
 namespace {
@@ -71,6 +72,14 @@ void add_baked_light(const Level& level, LevelWorld& world)
         add_lightmap_stream(world.scene.meshes[i], world.lightmap->layouts[i]);
 }
 
+/// Also where nobody compiles its visibility, a wrong name in a level is told.
+Scene imported(const Level& level)
+{
+    Scene scene = import_model(level.scene_file, level.project_root);
+    structure_nodes(scene, level);
+    return scene;
+}
+
 void hide_by_rules(const Level& level, Scene& scene)
 {
     const auto says_visible = [](const AssignRule& rule) { return rule.visible.has_value(); };
@@ -90,7 +99,7 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 
 Scene open_scene(const Level& level)
 {
-    Scene scene = import_model(level.scene_file, level.project_root);
+    Scene scene = imported(level);
     hide_by_rules(level, scene);
     return scene;
 }
@@ -98,7 +107,7 @@ Scene open_scene(const Level& level)
 std::shared_ptr<LevelWorld> open_world(const Level& level, BakedLight baked_light)
 {
     auto world = std::make_shared<LevelWorld>();
-    world->scene = import_model(level.scene_file, level.project_root);
+    world->scene = imported(level);
     world->chunks.reserve(world->scene.meshes.size());
     for (MeshData& mesh : world->scene.meshes) world->chunks.push_back(split_into_chunks(mesh));
     // A lightmap adds vertices to meshes, and must not change what a compiled level is known by.

@@ -32,7 +32,8 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 
 enum class BakedLight : unsigned char { unwanted, if_there };
 
-/// The level's model without what the level's rules hide. Throws what import_model() and resolve_looks() throw.
+/// The level's model without what the level's rules hide. Throws what import_model() and resolve_looks() throw, and
+/// hw::Error where a name of Level::structure reaches no node.
 Scene open_scene(const Level& level);
 
 /// Takes open_scene(), cuts its meshes into chunks, and takes the lightmap beside the level when it is wanted.

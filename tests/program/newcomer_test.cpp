@@ -183,9 +183,47 @@ TEST_F(newcomer, check_and_info_use_the_compiled_level_and_say_so)
         fs::remove_all(cache);
         EXPECT_THAT(run().out, Not(HasSubstr("compiled level"))) << command;
         EXPECT_FALSE(json::parse(bytes_of(folder_ / "r.json"))["is_compiled_level_used"]) << command;
+        ASSERT_EQ(run_program({"compile", file, "--cache", cache}).exit_code, 0);
         EXPECT_THAT(run().out, HasSubstr("from the compiled level")) << command;
         EXPECT_TRUE(json::parse(bytes_of(folder_ / "r.json"))["is_compiled_level_used"]) << command;
     }
+}
+
+TEST_F(newcomer, a_wrong_name_of_structure_is_told_by_every_command)
+{
+    const std::string file = level(R"("structure": ["Prism*", "Wall*"])");
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"check", file},
+                                                  {"info", file},
+                                                  {"compile", file},
+                                                  {"bake", file},
+                                                  {"silhouettes", file, "--eye", "3,1,7"},
+                                                  {"lines", file, "--out", folder_ / "a.svg"},
+                                                  {"render", file, "--out", folder_ / "a.png"}}) {
+        const ProgramResult result = run_program(words);
+        EXPECT_EQ(result.exit_code, 2) << words[0];
+        EXPECT_THAT(result.err, HasSubstr("a.level.json: /structure/1: \"Wall*\" names no node")) << words[0];
+    }
+}
+
+TEST_F(newcomer, a_map_that_there_is_not_is_told_with_those_there_are)
+{
+    const ProgramResult result = run_program({"check", level(R"("assign": [{"maps": {"ink": "stones"}}])")});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err,
+                AllOf(HasSubstr("/assign/0/maps/ink: there is no map \"stones\""), HasSubstr("stone_courses")));
+}
+
+TEST_F(newcomer, a_rule_that_says_nothing_is_doubted)
+{
+    EXPECT_THAT(run_program({"check", level(R"("assign": [{"nodes": "*"}])")}).err,
+                HasSubstr("/assign/0: the rule says nothing"));
+}
+
+TEST_F(newcomer, pictures_of_a_path_are_told_with_their_folder)
+{
+    const ProgramResult result = run_program({"render", folder_ / "prism.glb", "--path", "turntable", "--frames", "2",
+                                              "--size", "64x48", "--out", folder_ / "pictures"});
+    EXPECT_EQ(result.out, (folder_ / "pictures") + ": 2 pictures\n");
 }
 
 TEST_F(newcomer, info_lists_nodes_with_what_the_rules_say_and_which)

@@ -313,8 +313,24 @@ TEST_F(lines, a_taper_thins_the_far_ones)
     style_.look->taper_from_m = 5.0f;
     load(style_);
     draw(view_from({0, 2, 3}, {0, 0, -10}), {.samples = 4});
-    EXPECT_GT(stats_.lines + stats_.triangles, 0u);
-    EXPECT_EQ(stats_.lines, 0u) << "a taper needs quads";
+    EXPECT_GT(stats_.lines, 0u);
+    const std::uint64_t as_quads = stats_.triangles;
+    draw(view_from({0, 2, 3}, {0, 0, -10}), {.samples = 4, .line_path = LinePath::native});
+    EXPECT_EQ(stats_.triangles, as_quads) << "a taper needs quads";
+}
+
+TEST_F(lines, are_counted_alike_by_either_path)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    load(style_);
+    std::vector<FrameStats> both;
+    for (const LinePath path : {LinePath::quads, LinePath::native}) {
+        draw(view_from({2, 3, 4}, {0, 0, 0}), {.samples = 4, .line_path = path});
+        both.push_back(stats_);
+    }
+    EXPECT_EQ(both[0].lines, 12u) << "a box has twelve creases";
+    EXPECT_EQ(both[1].lines, 12u);
+    EXPECT_GT(both[0].triangles, both[1].triangles) << "quads are triangles, too";
 }
 
 TEST_F(lines, a_larger_crease_angle_draws_fewer)

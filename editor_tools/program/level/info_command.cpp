@@ -131,6 +131,14 @@ void print_info(const LevelWorld& world, const CompiledLevel& compiled, const Me
         compiled.is_from_cache ? "from the compiled level" : fmt::format("{:.2f} s", visibility.seconds)));
 }
 
+/// The compiled level where there is one; else it is compiled, and kept only where --cache says.
+CompiledLevel compiled_level(const Level& level, const LevelWorld& world, const CompiledCache& cache)
+{
+    if (!cache.folder.empty()) return find_or_compile_world(level, world, {}, &cache);
+    std::optional<CompiledLevel> found = find_compiled_world(level, world, {}, cache);
+    return found ? std::move(*found) : compile_world(level, world, {});
+}
+
 void info(const InfoArguments& arguments)
 {
     const std::vector<OutputFile> outputs{{"--json", arguments.json}};
@@ -139,13 +147,14 @@ void info(const InfoArguments& arguments)
     if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
     const CompiledCache cache{arguments.cache};
     const auto world = open_world(level);
-    const CompiledLevel compiled = find_or_compile_world(level, *world, {}, &cache);
+    const CompiledLevel compiled = compiled_level(level, *world, cache);
     require_unread(outputs);
     const MeshTotals totals = totals_of(world->scene);
     const HatchTotals hatching = hatch_totals(world->scene, arguments.hatch);
     print_info(*world, compiled, totals);
     print_lines(hatch_text(hatching));
-    if (arguments.has_nodes) print_lines(nodes_text(level, world->scene));
+    if (arguments.has_nodes)
+        for (const std::string& line : node_lines(level, world->scene)) print_line(line);
     if (arguments.json.empty()) return;
     JsonValue json = info_json(*world, compiled, totals);
     add_hatch_json(hatching, json);

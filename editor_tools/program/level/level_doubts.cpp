@@ -20,12 +20,21 @@ bool names_something(const AssignRule& rule, const Scene& scene)
            (rule.materials.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), is_material));
 }
 
+bool says_nothing(const AssignRule& rule)
+{
+    return !rule.style && !rule.over && !rule.presence && !rule.certainty && !rule.collides && !rule.visible &&
+           rule.maps.empty();
+}
+
 /// Of the rules from number `first` on.
 std::vector<std::string> doubts_from(const Level& level, const Scene& scene, std::size_t first)
 {
     std::vector<std::string> found;
     for (std::size_t i = first; i < level.assign.size(); ++i) {
         const AssignRule& rule = level.assign[i];
+        if (says_nothing(rule))
+            found.push_back(
+                fmt::format("{}: {}: the rule says nothing of what it names", level.file.string(), rule.pointer));
         if (names_something(rule, scene)) continue;
         constexpr std::size_t kShown = 80;
         const std::string names = (rule.materials.empty() ? rule.nodes : rule.materials).substr(0, kShown);

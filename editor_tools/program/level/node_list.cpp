@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/world/looks.hpp"
@@ -30,7 +29,7 @@ void add_once(std::vector<std::string>& texts, std::string text)
 
 }  // namespace
 
-std::string nodes_text(const Level& level, const Scene& scene)
+std::vector<std::string> node_lines(const Level& level, const Scene& scene)
 {
     const std::vector<ObjectLook> looks = resolve_looks(level, scene, kFallbackStyle);
     std::vector<std::vector<std::string>> materials(scene.nodes.size());
@@ -40,12 +39,12 @@ std::string nodes_text(const Level& level, const Scene& scene)
         materials[object.node].push_back(material_name(scene, object));
         add_once(drawn[object.node], look_text(looks[id]));
     }
-    std::string text;
+    std::vector<std::string> lines;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         if (!materials[i].empty())
-            text += fmt::format("node        #{:<5} {:<40} {:<16} {}\n", i, scene.nodes[i].path,
-                                fmt::join(materials[i], ", "), fmt::join(drawn[i], "; "));
-    return text;
+            lines.push_back(fmt::format("node        #{:<5} {:<40} {:<16} {}", i, scene.nodes[i].path,
+                                        fmt::join(materials[i], ", "), fmt::join(drawn[i], "; ")));
+    return lines;
 }
 
 JsonValue nodes_json(const Level& level, const Scene& scene)

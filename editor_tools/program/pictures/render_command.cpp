@@ -110,6 +110,11 @@ JsonValue result_json(const RenderArguments& arguments, const Context& context)
     return result;
 }
 
+std::string pictures_text(const RenderArguments& arguments, std::size_t count)
+{
+    return fmt::format("{}: {} picture{}", arguments.out.string(), count, count == 1 ? "" : "s");
+}
+
 void render(const RenderArguments& arguments)
 {
     check_arguments(arguments);
@@ -129,6 +134,7 @@ void render(const RenderArguments& arguments)
     const std::vector<Leak> leaks =
         arguments.show.has_leaks ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
     JsonValue frames = JsonValue::array();
+    std::size_t frames_made = 0;
     Progress progress("Rendering", shots.size());
     for (std::size_t i = 0; i < shots.size(); ++i) {
         if (!part.has(i)) continue;
@@ -142,7 +148,9 @@ void render(const RenderArguments& arguments)
         if (!is_path(arguments) || arguments.has_stats) print_line(file.string());
         if (arguments.has_stats) print_lines(stats_text(stats));
         progress.advance();
+        ++frames_made;
     }
+    if (is_path(arguments) && !arguments.has_stats) print_line(pictures_text(arguments, frames_made));
     if (!arguments.json.empty())
         write_json(arguments.json, result_json(arguments, *context).set("frames", std::move(frames)));
     const std::vector<std::string> failures = stage.style_failures();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "hatchway/core/error.hpp"
 #include "hatchway/io/json/text.hpp"
 
 namespace hw {
@@ -34,7 +35,10 @@ std::optional<double> number_in(const json& value)
 
 void ExtrasReader::doubt(const std::string& what, const std::string& pointer)
 {
-    if (places_.size() >= kMostKinds && !places_.contains(what)) return;
+    if (places_.size() >= kMostKinds && !places_.contains(what)) {
+        ++untold_;
+        return;
+    }
     Place& place = places_[what];
     if (place.count++ == 0) place.pointer = pointer;
 }
@@ -79,8 +83,9 @@ std::vector<std::string> ExtrasReader::doubts() const
     std::vector<std::string> texts;
     for (const auto& [what, place] : places_) {
         const std::string more = place.count == 1 ? "" : fmt::format(" (and {} more such nodes)", place.count - 1);
-        texts.push_back(fmt::format("{}: {}: {}{}", file_, place.pointer, what, more));
+        texts.emplace_back(Error({.what = what + more, .file = file_, .pointer = place.pointer}).what());
     }
+    if (untold_ > 0) texts.push_back(fmt::format("{}: {} more properties of nodes are not understood", file_, untold_));
     return texts;
 }
 

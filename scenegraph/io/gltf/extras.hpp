@@ -33,6 +33,7 @@ class ExtrasReader {
 
     std::string file_;
     std::map<std::string, Place> places_;  ///< By what is said of them.
+    std::size_t untold_ = 0;               ///< Of kinds past those that are told.
 };
 
 }  // namespace hw

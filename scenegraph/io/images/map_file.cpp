@@ -112,6 +112,17 @@ void check_level(const MapLevels& map, const Pixels& level, const std::string& f
         refuse(fmt::format("half the level before, {} x {}", width, height));
 }
 
+/// The maps that come with the program, in the order of their names.
+std::vector<std::string> names_in(const fs::path& folder)
+{
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
+        names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
 }  // namespace
 
 MapLevels read_map(const fs::path& folder)
@@ -140,10 +151,12 @@ fs::path find_map(const Level& level, MapKind kind, const std::string& name, con
                                                                   level.file.string(), pointer);
     std::error_code failed;
     if (fs::is_regular_file(folder / "map.json", failed)) return folder;
-    throw Error({.what = fmt::format("there is no map \"{}\"", name),
+    throw Error({.what = fmt::format("there is no map \"{}\" of the kind {}", name, facts_of(kind).name),
                  .file = level.file.string(),
                  .pointer = pointer,
-                 .expected = fmt::format("a folder with a map.json: {}", folder.string())});
+                 .expected = is_lower_snake(name) ? fmt::format("the path of a map's folder, or one of: {}",
+                                                                fmt::join(names_in(built_in.parent_path()), ", "))
+                                                  : fmt::format("a folder with a map.json: {}", folder.string())});
 }
 
 }  // namespace hw

@@ -41,7 +41,9 @@ const json* LevelReader::find(const LevelKey& key)
     visited_.emplace_back(key.name);
     const auto found = object_.find(key.name);
     if (found != object_.end()) return &*found;
-    if (key.is_required) refuse(pointer_, fmt::format("the key \"{}\" is missing", key.name), std::string(key.help));
+    if (key.is_required)
+        refuse(pointer_, fmt::format("the key \"{}\" is missing", key.name),
+               fmt::format("\"{}\": {}", key.name, key.help));
     return nullptr;
 }
 

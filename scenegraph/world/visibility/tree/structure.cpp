@@ -31,37 +31,11 @@ bool mark_named(const std::string& pattern, const Scene& scene, std::uint64_t& s
     return is_used;
 }
 
-/// For every node, whether the level names it as structure.
-std::vector<char> named_nodes(const Scene& scene, const Level& level)
-{
-    std::vector<char> result(scene.nodes.size(), 0);
-    if (!level.structure) return result;
-    Budget budget;
-    for (std::size_t entry = 0; entry < level.structure->size(); ++entry) {
-        const std::string pointer = fmt::format("/structure/{}", entry);
-        budget.spend(Cost::rule_steps, scene.nodes.size(), level.file.string(), pointer);
-        const std::uint64_t allowed = budget.left(Cost::rule_steps);
-        std::uint64_t left = allowed;
-        const bool is_used = mark_named((*level.structure)[entry], scene, left, result);
-        budget.spend(Cost::rule_steps, left == 0 ? allowed + 1 : allowed - left, level.file.string(), pointer);
-        if (is_used) continue;
-        throw Error({.what = fmt::format("\"{}\" names no node", (*level.structure)[entry]),
-                     .file = level.file.string(),
-                     .pointer = pointer,
-                     .expected = "a path glob of nodes of the scene"});
-    }
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        const int parent = scene.nodes[i].parent;
-        if (parent != kNone && result[static_cast<std::size_t>(parent)]) result[i] = 1;
-    }
-    return result;
-}
-
 /// Shows each triangle that may block sight: opaque and static ones.
 class BlockingTriangles {
  public:
     BlockingTriangles(const Scene& scene, const Level& level, const Grid& grid)
-        : scene_(scene), grid_(grid), is_named_node_(named_nodes(scene, level))
+        : scene_(scene), grid_(grid), is_named_node_(structure_nodes(scene, level))
     {
     }
 
@@ -246,6 +220,31 @@ void choose_polygons(const std::vector<FlatPolygon>& polygons, const Level& leve
 }
 
 }  // namespace
+
+std::vector<char> structure_nodes(const Scene& scene, const Level& level)
+{
+    std::vector<char> result(scene.nodes.size(), 0);
+    if (!level.structure) return result;
+    Budget budget;
+    for (std::size_t entry = 0; entry < level.structure->size(); ++entry) {
+        const std::string pointer = fmt::format("/structure/{}", entry);
+        budget.spend(Cost::rule_steps, scene.nodes.size(), level.file.string(), pointer);
+        const std::uint64_t allowed = budget.left(Cost::rule_steps);
+        std::uint64_t left = allowed;
+        const bool is_used = mark_named((*level.structure)[entry], scene, left, result);
+        budget.spend(Cost::rule_steps, left == 0 ? allowed + 1 : allowed - left, level.file.string(), pointer);
+        if (is_used) continue;
+        throw Error({.what = fmt::format("\"{}\" names no node", (*level.structure)[entry]),
+                     .file = level.file.string(),
+                     .pointer = pointer,
+                     .expected = "a path glob of nodes of the scene"});
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const int parent = scene.nodes[i].parent;
+        if (parent != kNone && result[static_cast<std::size_t>(parent)]) result[i] = 1;
+    }
+    return result;
+}
 
 Structure choose_structure(const Scene& scene, const Level& level, const StructureOptions& options)
 {

@@ -35,6 +35,10 @@ struct Structure {
     double area_m2 = 0.0;        ///< Of all polygons.
 };
 
+/// For every node, whether Level::structure names it or one of its parents. Throws hw::Error for a name that reaches no
+/// node.
+std::vector<char> structure_nodes(const Scene& scene, const Level& level);
+
 /// Chooses and merges the structure of a scene from its opaque, static triangles. Structure is what lies in large
 /// planes, of the objects that Level::structure names (its globs reach children too), or of all; everything else is
 /// detail. Where nothing is structure there are no details either. Triangles within 1e-5 m (a step and a quarter of the
