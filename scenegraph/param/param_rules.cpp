@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+
+#include "hatchway/core/lower_snake.hpp"
 
 namespace hw {
 namespace {
 
-bool is_lower_snake_case(std::string_view name)
+bool is_parameter_name(std::string_view name)
 {
-    const auto is_allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && name[0] >= 'a' && name[0] <= 'z' && name.back() != '_' &&
-           name.find("__") == std::string_view::npos && std::ranges::all_of(name, is_allowed);
+    return is_lower_snake(name) && name.front() >= 'a' && name.front() <= 'z' && name.back() != '_' &&
+           name.find("__") == std::string_view::npos;
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ void ParamRules::object(const ParamInfo& info, const std::string& what)
 
 void ParamRules::check(const ParamInfo& info)
 {
-    if (!is_lower_snake_case(info.name)) object(info, "is not named in lower_snake_case");
+    if (!is_parameter_name(info.name)) object(info, "is not named in lower_snake_case");
     if (info.name == "plugin" || info.name == "like") object(info, "has a name that level files use themselves");
     if (!names_.insert(std::string(info.name)).second) object(info, "is visited twice");
     if (info.help.empty()) object(info, "has no sentence of help");

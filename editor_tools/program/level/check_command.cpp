@@ -88,7 +88,11 @@ void check(const CheckArguments& arguments)
                     compiled_text(stage), warnings, warnings == 1 ? "" : "s"));
     if (!arguments.json.empty()) write_json(arguments.json, result_json(arguments, stage, found, leaks));
     if (!failures.empty())
-        throw Error({.what = failures.front(), .file = arguments.level.file.string(), .fault = Fault::ours});
+        throw Error(
+            {.what = fmt::format("the level is not drawn as it should be: {} of what draws failed, as told above",
+                                 failures.size()),
+             .file = arguments.level.file.string(),
+             .fault = Fault::ours});
 }
 
 }  // namespace
