@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "report/hatching_sections.hpp"
+
 namespace hw {
 namespace {
 
@@ -36,20 +38,41 @@ ReportSection silhouettes_section(const std::vector<std::string>& models)
                 "world space without rounding.",
             .leaves_out =
                 "Preparing a surface (column preprocess_s). Which edges are candidates, for the row of that name: the "
-                "engine says so. Where float positions collapse so that less than 90 % of the faces are left, there is "
+                "engine says so. OpenMesh refuses faces at complex vertices (suzanne); our copy of the mesh gives them "
+                "corners of "
+                "their own, so its rows miss the edges there. Where float positions collapse so that less than 90 % of "
+                "the faces are left, there is "
                 "no row.",
             .says =
                 "Milliseconds to find the silhouette edges from one eye, and the wrong edges against rational "
                 "arithmetic, for every method and precision, at growing offsets from the origin: of the vertices, in "
                 "floats, and of the node, in doubles. OpenMesh goes two ways: a plain loop over edges, and one that "
                 "keeps each face's facing; both are built with the engine's options.",
-            .arguments = joined({"silhouettes"}, models, {"--offset", "0,1e3,1e5,1e6", "--node-offset", "1e3,1e5,1e7"}),
+            .arguments = joined({"silhouettes"}, models,
+                                {"--views", "10", "--offset", "0,1e3,1e5,1e6", "--node-offset", "1e3,1e5,1e7"}),
             .plots = {{.title = "Time against wrong edges (all models and offsets)",
                        .x_column = "ms_median",
                        .x_label = "median ms for a view",
                        .y_column = "fp+fn",
                        .y_label = "false + missing edges, all views",
                        .series_columns = {"method", "precision"}}}};
+}
+
+ReportSection random_silhouettes_section(const std::string& prism, const fs::path& data, bool is_orthographic)
+{
+    std::vector<std::string> arguments{"silhouettes", prism};
+    if (!data.empty())
+        for (const char* name : {"models/spot.glb", "models/suzanne.glb", "models/teapot_bezier_n20.glb"})
+            arguments.push_back((data / name).string());
+    arguments = joined(std::move(arguments), {"--views", "1", "--random", "1000", "--offset", "0"});
+    if (is_orthographic) arguments.push_back("--orthographic");
+    return {.name = is_orthographic ? "silhouettes_orthographic" : "silhouettes_random",
+            .title = is_orthographic ? "Silhouettes from random directions" : "Silhouettes from random eyes",
+            .judge = "As above.",
+            .leaves_out = "Eyes exactly in the plane of a face: tests have those.",
+            .says = "The same with a thousand random views, in small models also from inside.",
+            .arguments = std::move(arguments),
+            .plots = {}};
 }
 
 ReportSection silhouette_growth_section()
@@ -61,7 +84,7 @@ ReportSection silhouette_growth_section()
             .says =
                 "Milliseconds of every method by the number of faces; wrong edges as above. The hierarchy's work grows "
                 "with the contour, brute force with the mesh.",
-            .arguments = {"silhouettes", "--smooth", "30000,125000,500000,2000000", "--offset", "0"},
+            .arguments = {"silhouettes", "--smooth", "30000,125000,500000,2000000", "--views", "4", "--offset", "0"},
             .plots = {{.title = "Time by number of faces",
                        .x_column = "faces",
                        .x_label = "faces",
@@ -104,11 +127,11 @@ ReportSection bsp_section(const std::vector<std::string>& scenes)
         .name = "bsp",
         .title = "The tree",
         .judge = "Points by rational arithmetic (bsp_oracle); the area by the engine's own area of a polygon.",
-        .leaves_out =
-            "The tree that a level ships with: structure is chosen with smaller budgets here, and without cells.",
+        .leaves_out = "Whether the right polygons were chosen: the tree is judged by its own planes.",
         .says =
-            "Seconds to choose the structure and to build the tree, random points whose leaf rational arithmetic "
-            "names otherwise (there must be none), and how far the area of all pieces is from that of the polygons.",
+            "The tree that a level is compiled with: seconds to choose the structure and to build it, random points "
+            "whose leaf rational arithmetic names otherwise (there must be none), and how far the area of all pieces "
+            "is from that of the polygons.",
         .arguments = joined({"bsp"}, scenes, {"--points", "100000"}),
         .plots = {{.title = "Time against area error",
                    .x_column = "seconds",
@@ -166,8 +189,8 @@ ReportSection lines_section(const std::string& prism, const std::string& hall, c
             .title = "Lines on the screen",
             .judge = "The engine's own exact visible lines and its own far policy.",
             .leaves_out =
-                "Candidate edges that both overlook, and lines that the far policy wrongly thins. The time of the "
-                "exact lines leaves out adjacency and seams, which are prepared once.",
+                "What the exact lines and the far policy have wrong: the section on visible lines has a judge of its "
+                "own. The time of the exact lines leaves out adjacency and seams, which are prepared once.",
             .says =
                 "Drawn lines against the exact visible lines at 1400 x 900: the share of their length that is missed, "
                 "the share of ink that lies elsewhere, gaps, and the drawn width over the one asked for.",
@@ -178,78 +201,45 @@ ReportSection lines_section(const std::string& prism, const std::string& hall, c
                            "drawn / requested width, 5th percentile")}};
 }
 
-ReportSection hatch_section()
+ReportSection visible_lines_section(const std::string& prism, const std::string& hall, const fs::path& data)
 {
-    return {
-        .name = "hatch",
-        .title = "Hatch maps",
-        .judge =
-            "Columns of pixels, compared with lines of one width and one spacing (hatch_profile, no code of the "
-            "engine).",
-        .leaves_out = "Curved surfaces other than a sphere.",
-        .says =
-            "Spacing, stroke width, tone and contrast of hatch maps on planes and a sphere over distance and angle, "
-            "against lines of one width and one spacing: our choice of the level, hardware filtering, ordinary mips "
-            "and none.",
-        .arguments = {"hatch", "--angles", "0,45,80", "--distances", "1,1.4,8,64,256"},
-        .plots = {{.title = "Time against tone error",
-                   .x_column = "ms",
-                   .x_label = "ms for a picture of 64 x 512",
-                   .y_column = "tone_rms",
-                   .y_label = "RMS of tone, box-blurred over two spacings",
-                   .series_columns = {"choice"}},
-                  {.title = "Spacing by ink over distance",
-                   .x_column = "distance",
-                   .x_label = "distance; 1: a texel covers a pixel",
-                   .y_column = "ink_spacing_median",
-                   .y_label = "relative error, median",
-                   .series_columns = {"choice"}}}};
-}
-
-ReportSection ink_section(const fs::path& maps)
-{
-    std::vector<std::string> arguments{"ink"};
-    for (const char* name : {"stone_courses", "flagstones", "planks", "roof_tiles"})
-        arguments.push_back((maps / name).string());
-    return {
-        .name = "ink",
-        .title = "Ink maps",
-        .judge = "The ink of level 0 of the same map, counted along rows and columns.",
-        .leaves_out =
-            "Maps drawn by hand or from bitmaps. Level 0 has half the tone of the others by design: errors of tone are "
-            "absolute.",
-        .says =
-            "Width of strokes, tone and contrast of ink maps level by level: drawn anew from vectors, and filtered by "
-            "the minimum and the mean.",
-        .arguments = std::move(arguments),
-        .plots = {{.title = "Tone of the levels",
-                   .x_column = "level",
-                   .x_label = "level",
-                   .y_column = "tone",
-                   .y_label = "ink coverage",
-                   .series_columns = {"map", "filter"},
-                   .is_joined = true}}};
-}
-
-ReportSection coherence_section(const std::string& level)
-{
-    return {.name = "coherence",
-            .title = "Hatching from frame to frame",
-            .judge = "Places carried along by rays of the collision world; two frames of the renderer.",
+    std::vector<std::string> arguments{"visible-lines", prism, hall};
+    if (!data.empty())
+        for (const char* name : {"models/teapot_bezier_n20.glb", "models/teapot_bezier_n31.glb", "models/bunny_69k.glb",
+                                 "scenes/dungeon_kaykit_9x7.glb", "scenes/city_kaykit_9x9.glb"})
+            arguments.push_back((data / name).string());
+    return {.name = "visible_lines",
+            .title = "Visible lines",
+            .judge =
+                "measure/lines/ray_judge: all borders, creases and contours of the file's triangles, a ray for each "
+                "pixel of them, no code of the search.",
             .leaves_out =
-                "Curved surfaces and edges: only places on flat surface count. Flicker is of a mean over 3 x 3 pixels. "
-                "Ratios to the unfiltered map compare different amounts of ink, except for the hatch map.",
+                "Lines where objects go through each other (unjudged_px). Two lines within 1.5 pixels count as one. "
+                "What lies within a thousandth of its distance behind something counts as neither seen nor hidden.",
             .says =
-                "Neighbouring frames along the level's tour, warped by the true motion of the surface: change of ink, "
-                "of tone "
-                "within 16 pixels, and the way of marks over the surface.",
-            .arguments = {"coherence", level},
-            .plots = {{.title = "Flicker against sliding",
-                       .x_column = "flicker",
-                       .x_label = "mean change of ink from frame to frame",
-                       .y_column = "slide_px_median",
-                       .y_label = "way of marks over the surface, pixels, median",
-                       .series_columns = {"ink"}}}};
+                "The exact lines at 1400 x 900: the share of what is visible that they miss, that the style's far "
+                "policy leaves out (thinned), and the share of them that no visible edge explains (extra). Seconds "
+                "from the imported scene (cold: adjacency, edge table, seams, intersections and one view) and of one "
+                "view of a prepared scene (warm).",
+            .arguments = joined(std::move(arguments), {"--views", "2"}),
+            .plots = {{.title = "Cold time against missed lines",
+                       .x_column = "cold_s",
+                       .x_label = "seconds",
+                       .y_column = "missed",
+                       .y_label = "share of visible length",
+                       .series_columns = {"model"}}}};
+}
+
+ReportSection portals_section(const fs::path& data)
+{
+    return {
+        .name = "portals",
+        .title = "Portals of a file",
+        .judge = "A naive flow with separating planes (measure/visibility/naive_flow), of which it shares data types.",
+        .leaves_out = "Other compilers: none of them runs here. Both flows have one thread.",
+        .says = "Seconds for all rows of a level of another engine, and leaves that one flow shows and the other not.",
+        .arguments = {"portals", (data / "prt" / "E1M1-edited-ents.prt").string()},
+        .plots = {}};
 }
 
 ReportSection lightmap_section()
@@ -332,18 +322,24 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
         models = joined(std::move(models), models_in(data / "models"));
         scenes = joined(std::move(scenes), models_in(data / "scenes"));
     }
-    return {silhouettes_section(models),
-            silhouette_growth_section(),
-            frame_section(hall),
-            bsp_section(scenes),
-            pvs_section(scenes),
-            lightmap_section(),
-            lines_section(models.front(), hall, data),
-            hatch_section(),
-            coherence_section(hall),
-            ink_section(content / "maps" / "ink"),
-            walk_section(hall, data),
-            scale_section()};
+    const std::string prism = models.front();
+    std::vector<ReportSection> plan{silhouettes_section(models),
+                                    random_silhouettes_section(prism, data, false),
+                                    random_silhouettes_section(prism, data, true),
+                                    silhouette_growth_section(),
+                                    frame_section(hall),
+                                    bsp_section(scenes),
+                                    pvs_section(scenes),
+                                    lightmap_section(),
+                                    lines_section(prism, hall, data),
+                                    visible_lines_section(prism, hall, data),
+                                    hatch_section(),
+                                    coherence_section(hall),
+                                    ink_section(content / "maps" / "ink"),
+                                    walk_section(hall, data),
+                                    scale_section()};
+    if (!data.empty()) plan.insert(plan.begin() + 7, portals_section(data));
+    return plan;
 }
 
 }  // namespace hw

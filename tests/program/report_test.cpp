@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
+#include <regex>
 
 #include "tests/program/run_program.hpp"
 
@@ -52,6 +54,47 @@ TEST(report_program, every_figure_of_the_method_pages_is_that_of_the_report)
     for (const auto& entry : fs::directory_iterator(kDocs / "method"))
         EXPECT_EQ(bytes_of(report.page(entry.path().filename().string())), bytes_of(entry.path()))
             << entry.path().filename();
+}
+
+/// What of a page looks measured and was typed: numbers with a unit of time or of comparison, outside of filled figures
+/// and of code.
+std::vector<std::string> typed_figures(std::string page)
+{
+    for (const char* passed : {"<!--@[^>]*-->[^<]*<!--@-->", "```[^]*?```", "`[^`]*`"})
+        page = std::regex_replace(page, std::regex(passed), "#");
+    const std::regex figure(
+        R"((^|[^\w.#])(\d[\d,.]*(e-?\d+)?)\s?(ms|us|ns|s|seconds|minutes|hours|%|times|x|fps|percent)(?=[^\w]|$))");
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(page.begin(), page.end(), figure), end; match != end; ++match) {
+        // "3 x 3" is a size.
+        const std::string after = match->suffix().str().substr(0, 2);
+        if ((*match)[4] == "x" && after.size() == 2 && std::isdigit(static_cast<unsigned char>(after[1]))) continue;
+        found.push_back((*match)[2].str() + ' ' + (*match)[4].str());
+    }
+    return found;
+}
+
+TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
+{
+    EXPECT_THAT(typed_figures("takes 12.5 ms, 3x less, 40 % of `7 s`, <!--@a: b .1f-->9 s<!--@--> and 3 x 3 pixels"),
+                testing::ElementsAre("12.5 ms", "3 x", "40 %"));
+    // What is set, not measured: limits that tests hold, steps and sizes of a method.
+    const std::map<std::string, std::vector<std::string>> set{
+        {"drawn_lines.md", {"99.5 %"}},       // the limit of picture_and_drawing_test
+        {"hatching.md", {"6 %"}},             // the largest step of that definition, by its formula
+        {"light.md", {"8 times"}},            // samples of the reference
+        {"walking.md", {"120 s", "100 ms"}},  // ticks, and the longest frame of the random walks
+    };
+    std::vector<fs::path> pages{kDocs.parent_path() / "README.md", kDocs / "report" / "figures.md"};
+    for (const fs::path& folder : {kDocs, kDocs / "method"})
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    EXPECT_GT(pages.size(), 12u);
+    for (const fs::path& page : pages) {
+        const auto known = set.find(page.filename().string());
+        EXPECT_EQ(typed_figures(bytes_of(page)), known == set.end() ? std::vector<std::string>() : known->second)
+            << page;
+    }
 }
 
 TEST(report_program, a_figure_that_was_typed_is_replaced)

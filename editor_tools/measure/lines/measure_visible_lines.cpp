@@ -2,10 +2,11 @@
 // told beside what is missed. And what they cost, from a scene as it was imported and from one made ready.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <array>
 
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
+#include "hatchway/io/images/images.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/render/view/line_camera.hpp"
 #include "measure/lines/exact_lines.hpp"
@@ -25,6 +26,7 @@ struct VisibleLinesArguments {
     std::vector<std::filesystem::path> files;
     int views = 4;
     std::string size = "1400x900";
+    std::filesystem::path pictures;
     std::filesystem::path json;
 };
 
@@ -45,7 +47,19 @@ JudgedLine judged(std::vector<glm::dvec2> points_px, bool is_closed, bool is_int
     return {std::move(points_px), is_intersection};
 }
 
-void judge_view(ExactLines& lines, const RayJudge& judge, const CameraPlace& camera, glm::ivec2 size, Row& row)
+/// Lines that were found in grey, missed ones in blue, thinned ones in orange, and those that no edge explains in red.
+void write_judged(const std::filesystem::path& file, glm::ivec2 size, const std::vector<std::uint8_t>& judged)
+{
+    constexpr std::array<std::array<std::uint8_t, 3>, 5> kColours{
+        {{255, 255, 255}, {190, 190, 190}, {0, 0, 255}, {240, 160, 0}, {220, 0, 0}}};
+    Pixels picture{size.x, size.y, 3, {}};
+    for (const std::uint8_t pixel : judged)
+        picture.bytes.insert(picture.bytes.end(), kColours[pixel].begin(), kColours[pixel].end());
+    write_png(file, picture);
+}
+
+void judge_view(ExactLines& lines, const RayJudge& judge, const CameraPlace& camera, glm::ivec2 size,
+                const std::filesystem::path& picture, Row& row)
 {
     std::vector<JudgedLine> found, drawn;
     double seconds = 0.0;
@@ -54,8 +68,10 @@ void judge_view(ExactLines& lines, const RayJudge& judge, const CameraPlace& cam
     for (const VectorLine& line : lines.drawn(camera, size))
         if (line.width_px >= kFaintestPx) drawn.push_back(judged(line.points_px, line.is_closed, false));
     const LineCamera place = line_camera(camera, camera_view(camera, size, lines.scene().bounds_world));
-    row.verdict.add(
-        judge.judge({place.eye_world, place.target_world, place.fov_rad, place.size_px, place.near_m}, found, drawn));
+    const JudgeCamera judge_camera{place.eye_world, place.target_world, place.fov_rad, place.size_px, place.near_m};
+    std::vector<std::uint8_t> pixels;
+    row.verdict.add(judge.judge(judge_camera, found, drawn, picture.empty() ? nullptr : &pixels));
+    if (!picture.empty()) write_judged(picture, size, pixels);
     row.warm_s += seconds / row.views;
 }
 
@@ -69,7 +85,11 @@ Row measure_file(const std::filesystem::path& file, const VisibleLinesArguments&
     Row row{.model = file.stem().string(), .views = static_cast<int>(cameras.size()), .verdict = {}};
     row.prepare_s = lines.prepare_s();
     const RayJudge judge(lines.scene(), glm::radians(kMeasuredCreaseDeg));
-    for (const CameraPlace& camera : cameras) judge_view(lines, judge, camera, size, row);
+    for (std::size_t view = 0; view < cameras.size(); ++view)
+        judge_view(lines, judge, cameras[view], size,
+                   arguments.pictures.empty() ? std::filesystem::path()
+                                              : arguments.pictures / fmt::format("{}_view{}.png", row.model, view),
+                   row);
     return row;
 }
 
@@ -98,6 +118,7 @@ std::string row_text(const Row& row)
 void measure_visible_lines(const VisibleLinesArguments& arguments)
 {
     require_outputs({{"--json", arguments.json}}, arguments.files);
+    if (!arguments.pictures.empty()) make_folder(arguments.pictures);
     const PluginRegistry plugins;
     Progress progress("Measuring visible lines", arguments.files.size());
     JsonValue rows = JsonValue::array();
@@ -123,6 +144,10 @@ void add_measure_visible_lines(CommandLine measure)
         .option_text("N")
         .check(whole_number_in(1, 1'000));
     command.add_option("--size", arguments->size, "Size of the picture, 1400x900").option_text("WxH");
+    command
+        .add_option("--pictures", arguments->pictures,
+                    "A folder for judged pictures: missed blue, thinned orange, extra red")
+        .option_text("DIR");
     add_json_argument(command, arguments->json);
     command.callback([arguments] { measure_visible_lines(*arguments); });
 }

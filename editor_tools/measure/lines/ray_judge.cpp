@@ -9,12 +9,14 @@
 #include <glm/matrix.hpp>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace hw {
 namespace {
 
 constexpr double kStep_px = 1.0;
 constexpr double kReach_px = 1.5;
+constexpr double kLongest_px = 1e6;     // of an edge that passes close by the eye
 constexpr double kSeen = 1.0 - 1e-4;    // of the way to the edge: free so far, it is seen
 constexpr double kHidden = 1.0 - 1e-3;  // blocked before, it is hidden
 constexpr double kBeside_px = 2.0;      // where rays ask whether the surface runs straight on
@@ -218,6 +220,9 @@ void RayJudge::add_object(const Scene& scene, ObjectId id, double crease_rad)
             sides[std::minmax(u, v)].push_back({normal, u < v});
         }
     }
+    std::set<std::pair<Place, Place>> marked;
+    for (std::size_t i = 0; i + 1 < mesh.artist_edges.size(); i += 2)
+        marked.insert(std::minmax(place(mesh.artist_edges[i]), place(mesh.artist_edges[i + 1])));
     const double crease_cosine = std::cos(crease_rad);
     for (const auto& [ends, around] : sides) {
         Edge edge{.from = in_world(ends.first), .to = in_world(ends.second), .normals = {}};
@@ -232,52 +237,67 @@ void RayJudge::add_object(const Scene& scene, ObjectId id, double crease_rad)
             edge.is_crease = size > 0.0 && glm::dot(edge.normals[0], edge.normals[1]) < crease_cosine * size;
             edge.is_sure = size > 0.0;
         }
+        edge.is_crease = edge.is_crease || marked.contains(ends);
         edges_.push_back(std::move(edge));
     }
 }
 
-RayVerdict RayJudge::judge(const JudgeCamera& camera, std::span<const JudgedLine> found,
-                           std::span<const JudgedLine> drawn) const
-{
-    const Pinhole pinhole(camera);
-    Blockers blockers;
-    for (const Triangle& t : triangles_) {
-        const glm::dvec3 a = t.a - camera.eye_world, b = t.b - camera.eye_world, c = t.c - camera.eye_world;
-        if (!t.is_culled || glm::dot(glm::cross(b - a, c - a), a) < 0.0) blockers.add(a, b, c);
+/// One view that is being judged.
+struct RayJudge::Look {
+    Look(const RayJudge& judge, const JudgeCamera& camera, std::span<const JudgedLine> found,
+         std::span<const JudgedLine> drawn)
+        : eye(camera.eye_world),
+          pinhole(camera),
+          is_found(camera.size_px),
+          is_drawn(camera.size_px),
+          may_be(camera.size_px)
+    {
+        for (const Triangle& t : judge.triangles_) {
+            const glm::dvec3 a = t.a - eye, b = t.b - eye, c = t.c - eye;
+            if (!t.is_culled || glm::dot(glm::cross(b - a, c - a), a) < 0.0) blockers.add(a, b, c);
+        }
+        blockers.commit();
+        for (const JudgedLine& line : found) walk(line, pinhole, [&](const auto& p, double) { is_found.add(p); });
+        for (const JudgedLine& line : drawn) walk(line, pinhole, [&](const auto& p, double) { is_drawn.add(p); });
     }
-    blockers.commit();
-    Mask is_found(camera.size_px), is_drawn(camera.size_px), may_be(camera.size_px);
-    for (const JudgedLine& line : found) walk(line, pinhole, [&](const auto& p, double) { is_found.add(p); });
-    for (const JudgedLine& line : drawn) walk(line, pinhole, [&](const auto& p, double) { is_drawn.add(p); });
 
-    RayVerdict verdict;
-    const auto judge_sample = [&](const Edge& edge, const glm::dvec3& way, const glm::dvec2& at,
-                                  const glm::dvec2& across, double length) {
+    void judge_sample(const Edge& edge, const glm::dvec3& way, const glm::dvec2& at, const glm::dvec2& across,
+                      double length)
+    {
         verdict.candidates_px += length;
         const auto before = blockers.first(way, kSeen);
         if (before && before->share < kHidden) return;
         may_be.add(at);
         if (before || !edge.is_sure || runs_straight_on(blockers, pinhole, at, across)) return;
         verdict.visible_px += length;
-        if (!is_found.holds(at))
+        if (!is_found.holds(at)) {
             verdict.missed_px += length;
-        else if (!is_drawn.holds(at))
+            show(at, kJudgedMissed);
+        } else if (!is_drawn.holds(at)) {
             verdict.thinned_px += length;
-    };
-    for (const Edge& edge : edges_) {
-        glm::dvec3 from = edge.from - camera.eye_world, to = edge.to - camera.eye_world;
-        const auto faces = [&](const glm::dvec3& normal) { return glm::dot(normal, from) < 0.0; };
-        const auto front = std::count_if(edge.normals.begin(), edge.normals.end(), faces);
+            show(at, kJudgedThinned);
+        }
+    }
+
+    bool is_line(const Edge& edge) const
+    {
+        const auto looks_here = [&](const glm::dvec3& normal) { return glm::dot(normal, edge.from - eye) < 0.0; };
+        const auto front = std::count_if(edge.normals.begin(), edge.normals.end(), looks_here);
         const auto all = static_cast<std::ptrdiff_t>(edge.normals.size());
         const bool is_contour = all != 2 || (front != 0 && front != all);
-        if ((!edge.is_crease && !is_contour) || (edge.is_culled && front == 0)) continue;
-        const double near_from = pinhole.depth(from) - camera.near_m, near_to = pinhole.depth(to) - camera.near_m;
-        if (near_from <= 0.0 && near_to <= 0.0) continue;
+        return (edge.is_crease || is_contour) && !(edge.is_culled && front == 0);
+    }
+
+    void judge_edge(const Edge& edge)
+    {
+        glm::dvec3 from = edge.from - eye, to = edge.to - eye;
+        const double near_from = pinhole.depth(from) - pinhole.near_m, near_to = pinhole.depth(to) - pinhole.near_m;
+        if (near_from <= 0.0 && near_to <= 0.0) return;
         if (near_from < 0.0) from = glm::mix(to, from, near_to / (near_to - near_from));
         if (near_to < 0.0) to = glm::mix(from, to, near_from / (near_from - near_to));
         const glm::dvec2 a = pinhole.project(from), b = pinhole.project(to);
         const double length = glm::distance(a, b);
-        if (!(length > 0.0) || length > 1e6) continue;
+        if (!(length > 0.0) || length > kLongest_px) return;
         const glm::dvec2 across = glm::dvec2(a.y - b.y, b.x - a.x) / length;
         const int count = 1 + static_cast<int>(length / kStep_px);
         for (int k = 0; k < count; ++k) {
@@ -289,17 +309,45 @@ RayVerdict RayJudge::judge(const JudgeCamera& camera, std::span<const JudgedLine
             judge_sample(edge, glm::mix(from, to, share), at, across, length / count);
         }
     }
-    for (const JudgedLine& line : found)
+
+    void judge_found(const JudgedLine& line)
+    {
         walk(line, pinhole, [&](const glm::dvec2& p, double length) {
-            if (line.is_intersection) {
-                verdict.unjudged_px += length;
-                return;
-            }
-            verdict.found_px += length;
-            if (!may_be.holds(p)) verdict.extra_px += length;
+            (line.is_intersection ? verdict.unjudged_px : verdict.found_px) += length;
+            const bool is_extra = !line.is_intersection && !may_be.holds(p);
+            if (is_extra) verdict.extra_px += length;
+            show(p, is_extra ? kJudgedExtra : kJudgedFound);
         });
-    verdict.rays = blockers.rays;
-    return verdict;
+    }
+
+    void show(const glm::dvec2& p, JudgedPixel what)
+    {
+        if (to_show == nullptr) return;
+        std::uint8_t& pixel =
+            (*to_show)[static_cast<std::size_t>(p.y) * pinhole.size_px.x + static_cast<std::size_t>(p.x)];
+        pixel = std::max<std::uint8_t>(pixel, what);
+    }
+
+    std::vector<std::uint8_t>* to_show = nullptr;
+    glm::dvec3 eye;
+    Pinhole pinhole;
+    Blockers blockers;
+    Mask is_found, is_drawn, may_be;
+    RayVerdict verdict;
+};
+
+RayVerdict RayJudge::judge(const JudgeCamera& camera, std::span<const JudgedLine> found,
+                           std::span<const JudgedLine> drawn, std::vector<std::uint8_t>* to_show) const
+{
+    Look look(*this, camera, found, drawn);
+    look.to_show = to_show;
+    if (to_show != nullptr)
+        to_show->assign(static_cast<std::size_t>(camera.size_px.x) * camera.size_px.y, kJudgedPaper);
+    for (const Edge& edge : edges_)
+        if (look.is_line(edge)) look.judge_edge(edge);
+    for (const JudgedLine& line : found) look.judge_found(line);
+    look.verdict.rays = look.blockers.rays;
+    return look.verdict;
 }
 
 }  // namespace hw

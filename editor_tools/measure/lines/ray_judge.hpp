@@ -39,19 +39,23 @@ struct JudgeCamera {
     double near_m = 0.01;
 };
 
-/// Judges visible lines by brute force: every edge of every object that is a border, a crease or a contour from the eye
-/// is walked pixel by pixel, and a ray decides about each. Nothing of geometry/lines, geometry/surface or
-/// geometry/silhouettes is used. Distances are compared to a thousandth of themselves: what lies between "surely seen"
-/// and "surely hidden" is neither missed nor extra. Two lines within the reach of 1.5 px are one for it, so in crowds
-/// of lines it sees less than where they stand alone.
+/// What a pixel shows of a verdict.
+enum JudgedPixel : std::uint8_t { kJudgedPaper, kJudgedFound, kJudgedMissed, kJudgedThinned, kJudgedExtra };
+
+/// Judges visible lines by brute force: every edge of every object that is a border, a crease, a contour from the eye
+/// or marked by the artist is walked pixel by pixel, and a ray decides about each. Nothing of geometry/lines,
+/// geometry/surface or geometry/silhouettes is used. Distances are compared to a thousandth of themselves: what lies
+/// between "surely seen" and "surely hidden" is neither missed nor extra. Two lines within the reach of 1.5 px are one
+/// for it, so in crowds of lines it sees less than where they stand alone.
 class RayJudge {
  public:
     /// All objects of a scene wear lines of one crease angle. The scene must outlive this.
     RayJudge(const Scene& scene, double crease_rad);
 
     /// `found`: the visible lines. `drawn`: those of them that a style draws, at least a quarter of a pixel wide.
-    RayVerdict judge(const JudgeCamera& camera, std::span<const JudgedLine> found,
-                     std::span<const JudgedLine> drawn) const;
+    /// `to_show`, when not null, receives for every pixel kJudgedFound, kJudgedMissed ... or 0.
+    RayVerdict judge(const JudgeCamera& camera, std::span<const JudgedLine> found, std::span<const JudgedLine> drawn,
+                     std::vector<std::uint8_t>* to_show = nullptr) const;
 
  private:
     /// An edge of an object's mesh in world space. Faces on it by their normals, not of unit length, as they are wound.
@@ -59,8 +63,8 @@ class RayJudge {
         glm::dvec3 from{0.0};
         glm::dvec3 to{0.0};
         std::vector<glm::dvec3> normals;
-        bool is_crease = false;
-        bool is_sure = true;  ///< False: more than two faces meet, or one has no area.
+        bool is_crease = false;  ///< Or marked by the artist.
+        bool is_sure = true;     ///< False: more than two faces meet, or one has no area.
         bool is_culled = false;
     };
     struct Triangle {
@@ -68,6 +72,7 @@ class RayJudge {
         bool is_culled = false;
     };
 
+    struct Look;
     void add_object(const Scene& scene, ObjectId id, double crease_rad);
 
     std::vector<Edge> edges_;
