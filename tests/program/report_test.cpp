@@ -102,7 +102,7 @@ TEST(report_program, a_figure_that_was_typed_is_replaced)
     const ReportFolder report;
     report.folder().write("pages/a.md", "| <!--@walk file=hall.level.json: inputs .0f-->5<!--@--> |\n");
     ASSERT_EQ(report.fill().exit_code, 0);
-    EXPECT_THAT(bytes_of(report.page("a.md")), testing::HasSubstr("-->1000000<!--@-->"));
+    EXPECT_THAT(bytes_of(report.page("a.md")), testing::HasSubstr("-->100000<!--@-->"));
 }
 
 TEST(report_program, a_figure_that_no_result_has_is_refused_and_no_page_is_written)
