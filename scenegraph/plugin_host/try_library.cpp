@@ -7,6 +7,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/gl/headless_context.hpp"
+#include "hatchway/plugin_host/no_programs.hpp"
 #include "hatchway/plugin_host/style_set.hpp"
 #include "hatchway/plugin_host/trial/trial_process.hpp"
 #include "hatchway/render/renderer.hpp"
@@ -18,15 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const TrialReport* report_of_memory = nullptr;
-
-/// Promises programs and textures that nobody will draw with.
-class BlindProgramCache final : public ProgramCache {
- public:
-    Program surface(std::string_view, std::string_view) override { return {1}; }
-    Program full_screen(std::string_view, std::string_view) override { return {1}; }
-    Program line(std::string_view, std::string_view) override { return {1}; }
-    Image texture(std::string_view) override { return {1, {1, 1}}; }
-};
 
 /// A square of 2 m, `at_z` in front of the eye, with texture coordinates.
 void add_square(Scene& scene, float at_z, AlphaMode alpha)
@@ -67,7 +59,7 @@ std::unique_ptr<Context> context_if_any()
 
 void prepare_blindly(const Plugin& plugin)
 {
-    BlindProgramCache programs;
+    NoPrograms programs;
     const auto ask = [&](const auto& instance) {
         instance->prepare(programs);
         instance->needs();

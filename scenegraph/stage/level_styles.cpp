@@ -5,19 +5,12 @@
 #include <map>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/plugin_host/no_programs.hpp"
 
 namespace hw {
 namespace {
 
 constexpr std::size_t kMostUnknown = 8;  // styles that are told: a stranger's model may name any number
-
-class NoPrograms final : public ProgramCache {
- public:
-    Program surface(std::string_view, std::string_view) override { return {1}; }
-    Program full_screen(std::string_view, std::string_view) override { return {1}; }
-    Program line(std::string_view, std::string_view) override { return {1}; }
-    Image texture(std::string_view) override { return {}; }
-};
 
 }  // namespace
 

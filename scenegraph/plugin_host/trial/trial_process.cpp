@@ -84,8 +84,8 @@ bool ends_in_time(const Child& child, std::string& report)
     pollfd waiting{child.report.value(), POLLIN, 0};
     while (Clock::now() < end) {
         siginfo_t ended = {};
-        ::waitid(P_PID, static_cast<id_t>(child.id), &ended, WEXITED | WNOHANG | WNOWAIT);
-        if (ended.si_pid != 0) {
+        const int status = ::waitid(P_PID, static_cast<id_t>(child.id), &ended, WEXITED | WNOHANG | WNOWAIT);
+        if (status != 0 || ended.si_pid != 0) {  // who ignores the ends of children is not told of them
             while (::poll(&waiting, 1, 0) > 0 && read_some(waiting.fd, report)) continue;
             return true;
         }
