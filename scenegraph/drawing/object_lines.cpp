@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "hatchway/geometry/surface/surface_faces.hpp"
+
 namespace hw {
 namespace {
 
@@ -12,7 +14,7 @@ class LineCollector {
     explicit LineCollector(const ObjectEdges& edges)
         : surface_(edges.surface),
           seams_(edges.extras.seams),
-          has_sides_(edges.is_culled && edges.surface.report.flipped_faces == 0)
+          has_sides_(edges.is_culled)
     {
     }
 
@@ -45,21 +47,24 @@ class LineCollector {
     }
     glm::vec3 normal_of(std::uint32_t face) const
     {
-        const auto& corners = surface_.faces[face];
+        const std::uint32_t plane = plane_face(surface_, face);
+        if (plane == kNoFace) return glm::vec3(0.0f);
+        const auto& corners = surface_.faces[plane];
         const glm::vec3& p = surface_.positions[corners[0]];
         const glm::vec3 area = glm::cross(surface_.positions[corners[1]] - p, surface_.positions[corners[2]] - p);
         const float size = glm::length(area);
         return size > 0.0f ? area / size : glm::vec3(0.0f);
     }
-    /// None where a repair turned faces: the drawn ones wind as the model says. None for complex edges: they have more.
+    /// None beside faces that are seen from both sides. None for complex edges: they have more.
     LineSides sides_of(std::uint32_t id) const
     {
         const auto faces = surface_.edges[id].faces();
         const bool is_border = id < surface_.edges.two_faced().begin;
         if (!has_sides_ || faces[0] >= surface_.faces.size()) return {};
+        if (surface_.is_two_sided(faces[0])) return {};
         const LineSides alone{normal_of(faces[0]), normal_of(faces[0])};
         if (faces[1] == kNoFace) return alone;
-        if (is_border || faces[1] >= surface_.faces.size()) return {};
+        if (is_border || faces[1] >= surface_.faces.size() || surface_.is_two_sided(faces[1])) return {};
         const LineSides both{alone.normal_a, normal_of(faces[1])};
         const bool has_both = both.normal_a != glm::vec3(0.0f) && both.normal_b != glm::vec3(0.0f);
         return has_both ? both : LineSides{};

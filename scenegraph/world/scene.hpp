@@ -99,6 +99,7 @@ struct Object {
     int node = kNone;
     int mesh = kNone;      ///< Index into Scene::meshes; instances share it.
     int material = kNone;  ///< Index into Scene::materials; never kNone, the importer adds glTF's default material.
+    int place = kNone;     ///< Index into Scene::places; kNone: where its node is.
     Box bounds_world;
 };
 
@@ -107,6 +108,8 @@ struct Scene {
     std::string file;
     std::vector<Node> nodes;
     std::vector<MeshData> meshes;  ///< One for each glTF primitive (of triangles) that is used.
+    std::vector<glm::dmat4> places;  ///< Of objects whose mesh was brought near its origin (io/model/settle_meshes.hpp).
+    std::uint32_t turned_triangles = 0;  ///< Of all meshes: wound against the rest of their component in the file.
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Pixels> images;
@@ -117,7 +120,11 @@ struct Scene {
     Box bounds_world;
     std::vector<std::string> doubts;  ///< What the model says and the importer does not understand, for `check`.
 
-    const glm::dmat4& world_from_object(ObjectId id) const { return nodes[objects[id].node].world_from_node; }
+    const glm::dmat4& world_from_object(ObjectId id) const
+    {
+        const Object& object = objects[id];
+        return object.place == kNone ? nodes[object.node].world_from_node : places[object.place];
+    }
 };
 
 /// Drawn triangles of all objects: instances count each time.

@@ -75,7 +75,8 @@ struct SilhouetteOracle::Eye {
 };
 
 SilhouetteOracle::SilhouetteOracle(std::span<const glm::vec3> positions,
-                                   std::span<const std::array<std::uint32_t, 3>> faces, Arithmetic arithmetic)
+                                   std::span<const std::array<std::uint32_t, 3>> faces, Arithmetic arithmetic,
+                                   std::span<const OraclePlane> given)
     : positions_(positions), faces_(faces), arithmetic_(arithmetic), is_closed_(positions.size(), true)
 {
     std::map<OracleEdge, std::vector<std::uint32_t>> faces_at;
@@ -88,8 +89,13 @@ SilhouetteOracle::SilhouetteOracle(std::span<const glm::vec3> positions,
         if (list.size() != 2) is_closed_[edge[0]] = is_closed_[edge[1]] = false;
     }
     std::map<std::uint32_t, std::uint32_t> beyond_longest;
+    std::vector<bool> is_given(faces.size(), false);
+    for (const OraclePlane& plane : given) {
+        is_given[plane.face] = true;
+        inherits_.push_back({plane.face, plane.source});
+    }
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
-        if (!is_collinear(f)) continue;
+        if (is_given[f] || !is_collinear(f)) continue;
         const int side = longest_side(f);
         const auto& around = faces_at[edge_of(faces[f][side], faces[f][(side + 1) % 3])];
         beyond_longest[f] = around.size() == 2 ? around[0] + around[1] - f : f;
@@ -183,7 +189,7 @@ std::vector<OracleEdge> SilhouetteOracle::silhouettes_from(const Eye& eye) const
 {
     std::vector<bool> is_front(faces_.size());
     for (std::uint32_t f = 0; f < faces_.size(); ++f) is_front[f] = sign(f, eye) > 0;
-    for (const auto& [face, source] : inherits_) is_front[face] = is_front[source];
+    for (const auto& [face, source] : inherits_) is_front[face] = source < faces_.size() && is_front[source];
     std::vector<OracleEdge> found;
     for (const Pair& pair : pairs_) {
         if (is_front[pair.face_a] != is_front[pair.face_b]) found.push_back(pair.edge);

@@ -20,15 +20,22 @@ struct SilhouetteErrors {
     std::size_t odd_vertices = 0;  ///< Closed vertices at which an odd number of the listed edges meets.
 };
 
+/// A face that has the facing of another, or of none where `source` is no face.
+struct OraclePlane {
+    std::uint32_t face;
+    std::uint32_t source;
+};
+
 /// Silhouettes by rational arithmetic from nothing but positions and oriented faces. Shares no code with the engine.
 /// The spans must outlive it.
 class SilhouetteOracle {
  public:
     enum class Arithmetic : unsigned char { filtered, rational_only };
 
-    /// `filtered` computes with GMP only those signs that long doubles leave open.
+    /// `filtered` computes with GMP only those signs that long doubles leave open. `given`: faces that have no plane of
+    /// their own by definition (needles, caps), which is not for arithmetic to decide.
     SilhouetteOracle(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> faces,
-                     Arithmetic arithmetic = Arithmetic::filtered);
+                     Arithmetic arithmetic = Arithmetic::filtered, std::span<const OraclePlane> given = {});
 
     /// Edges of exactly two faces that differ in facing, sorted. `w` is 1 for an eye, 0 for a direction to the viewer.
     /// A face whose plane contains the eye is back-facing; a collinear face has the facing of the neighbour across its
@@ -63,7 +70,7 @@ class SilhouetteOracle {
     Arithmetic arithmetic_;
     std::size_t edge_count_ = 0;
     std::vector<Pair> pairs_;
-    std::vector<std::array<std::uint32_t, 2>> inherits_;  // collinear face, the face whose facing it has
+    std::vector<std::array<std::uint32_t, 2>> inherits_;  // face, the face whose facing it has
     std::vector<bool> is_closed_;                         // positions all of whose edges have exactly two faces
 };
 

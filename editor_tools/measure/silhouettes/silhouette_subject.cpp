@@ -122,7 +122,10 @@ std::optional<SilhouetteSubject> silhouette_subject(MeshData mesh, const Silhoue
     subject.half_edges = std::make_unique<HalfEdgeMesh>(in_model_order(subject.surface));
     subject.file = std::make_unique<FileTriangles>(mesh);
     subject.file_oracle = std::make_unique<SilhouetteOracle>(subject.file->positions(), subject.file->faces());
-    subject.surface_oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces);
+    std::vector<OraclePlane> given;
+    for (const auto& [face, plane_of] : subject.surface.filter.inherited) given.push_back({face, plane_of});
+    subject.surface_oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces,
+                                                                SilhouetteOracle::Arithmetic::filtered, given);
     add_views(subject, placement, views);
     return subject;
 }

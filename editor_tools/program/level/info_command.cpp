@@ -47,16 +47,20 @@ MeshTotals totals_of(const Scene& scene)
     SceneSurfaces surfaces(scene);
     for (ObjectId id = 0; id < scene.objects.size(); ++id) surfaces.of(id);
     MeshTotals totals;
+    totals.report.flipped_faces = scene.turned_triangles;
     for (const auto& [key, surface] : surfaces.all()) {
         const SurfaceReport& report = surface.report;
         totals.report.triangles_in += report.triangles_in;
         totals.report.removed_faces += report.removed_faces;
+        totals.report.doubled_faces += report.doubled_faces;
         totals.report.collinear_faces += report.collinear_faces;
+        totals.report.needle_faces += report.needle_faces;
         totals.report.flipped_faces += report.flipped_faces;
         totals.report.inconsistent_edges += report.inconsistent_edges;
         totals.report.border_edges += report.border_edges;
         totals.report.complex_edges += report.complex_edges;
         totals.report.stitched_edges += report.stitched_edges;
+        totals.report.t_junction_edges += report.t_junction_edges;
         totals.report.artist_edges += report.artist_edges;
         totals.report.components += report.components;
         totals.report.closed_components += report.closed_components;
@@ -91,10 +95,12 @@ JsonValue info_json(const LevelWorld& world, const CompiledLevel& compiled, cons
     json.set("meshes", mesh_count(scene));
     json.set("materials", static_cast<std::uint64_t>(scene.materials.size()));
     json.set("faces_removed", report.removed_faces).set("collinear_faces", report.collinear_faces);
+    json.set("doubled_faces", report.doubled_faces).set("needle_faces", report.needle_faces);
     json.set("components", report.components).set("closed_components", report.closed_components);
     json.set("inward_components", report.inward_components);
     json.set("reflex_rule_components", report.reflex_rule_components);
     json.set("edges", totals.edges).set("borders", report.border_edges);
+    json.set("t_junction_edges", report.t_junction_edges);
     json.set("stitched_edges", report.stitched_edges).set("complex_edges", report.complex_edges);
     json.set("artist_edges", report.artist_edges).set("inconsistent_edges", report.inconsistent_edges);
     json.set("flips_repaired", report.flipped_faces);
@@ -115,16 +121,17 @@ void print_info(const LevelWorld& world, const CompiledLevel& compiled, const Me
     const SurfaceReport& report = totals.report;
     print_lines(fmt::format(
         "model       {} objects{}, {} meshes, {} triangles ({} drawn)\n"
-        "faces       {} removed, {} collinear, {} flips repaired\n"
+        "faces       {} removed, {} doubled, {} collinear, {} needles, {} flips repaired\n"
         "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
-        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} inconsistent\n"
+        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} T-junctions closed, {} inconsistent\n"
         "bytes       {:.1f} an edge, crease or candidate, and {:.1f} in clusters; {:.1f} a face in planes\n"
         "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; "
         "{}\n",
         world.scene.objects.size(), hidden_text(world.scene), mesh_count(world.scene), report.triangles_in,
-        drawn_triangle_count(world.scene), report.removed_faces, report.collinear_faces, report.flipped_faces,
-        report.components, report.closed_components, report.inward_components, report.reflex_rule_components,
-        totals.edges, report.border_edges, report.complex_edges, report.artist_edges, report.stitched_edges,
+        drawn_triangle_count(world.scene), report.removed_faces, report.doubled_faces, report.collinear_faces,
+        report.needle_faces, report.flipped_faces, report.components, report.closed_components,
+        report.inward_components, report.reflex_rule_components, totals.edges, report.border_edges,
+        report.complex_edges, report.artist_edges, report.stitched_edges, report.t_junction_edges,
         report.inconsistent_edges, totals.per_edge(totals.bytes.edges), totals.per_edge(totals.bytes.clusters),
         totals.per_face(totals.bytes.planes), visibility.leaves, visibility.portals, visibility.coarse_portals,
         visibility.structure_polygons, 100.0 * visibility.average_visible_share,

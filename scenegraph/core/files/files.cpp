@@ -76,6 +76,8 @@ Bytes read_into(const fs::path& path, std::uint64_t max_bytes)
 {
     // O_NONBLOCK: opening a FIFO must not wait for its writer.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.is_open() && (errno == ENOENT || errno == ENOTDIR))
+        throw Error({.what = "there is no such file", .file = path.string()});
     if (!file.is_open()) throw_system_error(path, "cannot open");
     return read_opened<Bytes>(file, path, max_bytes);
 }

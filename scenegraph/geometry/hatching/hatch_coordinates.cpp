@@ -14,7 +14,7 @@
 
 #include "hatchway/geometry/hatching/direction_layout.hpp"
 #include "hatchway/geometry/surface/smooth_sides.hpp"
-#include "hatchway/geometry/surface/weld.hpp"
+#include "hatchway/geometry/topology/weld.hpp"
 
 namespace hw {
 namespace {

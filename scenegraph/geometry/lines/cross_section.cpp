@@ -62,14 +62,16 @@ bool is_flat_across(std::span<const FaceAtLine> faces, double flat_rad)
     if (rays.count < 2 || rays.is_overfull) return false;
     std::sort(rays.ray.begin(), rays.ray.begin() + rays.count,
               [](const Ray& a, const Ray& b) { return a.angle_rad < b.angle_rad; });
+    bool is_seen = false;
     for (std::size_t i = 0; i < rays.count; ++i) {
         const Ray& ray = rays.ray[i];
         const Ray& next = rays.ray[(i + 1) % rays.count];
         if (!is_open(ray.ccw_side(), next.cw_side())) continue;
+        is_seen = true;
         const double span = next.angle_rad - ray.angle_rad + (i + 1 == rays.count ? kTurn : 0.0);
         if (std::abs(span - glm::pi<double>()) > flat_rad) return false;
     }
-    return true;
+    return is_seen;
 }
 
 }  // namespace hw

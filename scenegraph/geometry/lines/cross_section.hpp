@@ -14,7 +14,7 @@ struct FaceAtLine {
 /// Whether somebody outside of the solids sees no fold and no end of the surface at the line: every sector that is open
 /// to the eye spans a straight angle within `flat_rad`. Two faces that coincide and look at each other's back are the
 /// touching sides of two solids, or a sheet of paper: what lies around them tells which.
-/// No face or one face is never flat.
+/// No face or one face is never flat, nor are faces with their backs to all sectors: how they wind says nothing.
 bool is_flat_across(std::span<const FaceAtLine> faces, double flat_rad);
 
 }  // namespace hw

@@ -130,6 +130,7 @@ class PairCuts {
 
     bool is_wanted(int side, std::uint32_t face) const
     {
+        if (objects_[side]->surface->face_triangle[face] == kNoFace) return false;
         if (!is_alone()) return do_meet(objects_[side]->boxes[face], objects_[1 - side]->box);
         // Only components that come near another.
         return objects_[0]->does_meet_component[component(face)];

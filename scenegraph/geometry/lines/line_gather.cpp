@@ -86,6 +86,9 @@ class ObjectGathering {
         if (object_.is_culled) {
             find_facing(*object_.surface, drawn_.eye_object, FacingPrecision::exact, scratch_);
             std::copy_n(scratch_.facing.begin(), drawn_.is_there.size(), drawn_.is_there.begin());
+            const std::vector<bool>& two_sided = object_.surface->two_sided_faces;
+            for (std::size_t face = 0; face < two_sided.size(); ++face)
+                if (two_sided[face]) drawn_.is_there[face] = 1;
         }
         if (object_.hides) add_contours();
         for (set_ = 0; object_.is_drawn && set_ <= object_.more_crease_rad.size(); ++set_) add_lines();

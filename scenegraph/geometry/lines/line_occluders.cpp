@@ -93,6 +93,7 @@ RunSelection select_run(const FaceRun& run, const DrawnObject& object, const Ima
     const auto is_before = [&](std::uint32_t position) { return object.view[position].z >= space.near_m(); };
     for (std::uint32_t face = run.begin; face < run.end; ++face) {
         if (!object.is_there.empty() && object.is_there[face] == 0) continue;
+        if (object.surface->face_triangle[face] == kNoFace) continue;
         const auto& [a, b, c] = object.surface->faces[face];
         if (!is_before(a) || !is_before(b) || !is_before(c)) {
             append_triangles(space, {object.view[a], object.view[b], object.view[c]},

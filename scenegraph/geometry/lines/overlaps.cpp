@@ -52,11 +52,14 @@ std::vector<Overlaps::Triangle> Overlaps::triangles_of(std::span<const SeamObjec
     std::vector<Triangle> triangles;
     for (const SeamObject& object : objects) {
         const double side = glm::determinant(glm::dmat3(object.world_from_object)) < 0.0 ? -1.0 : 1.0;
-        for (const auto& face : object.surface->faces) {
-            Triangle triangle{{}, {}, object.style, object.is_double_sided};
+        const Surface& surface = *object.surface;
+        for (std::uint32_t id = 0; id < surface.faces.size(); ++id) {
+            const auto& face = surface.faces[id];
+            if (surface.face_triangle[id] == kNoFace) continue;
+            Triangle triangle{{}, {}, object.style, object.is_double_sided || surface.is_two_sided(id)};
             for (int i = 0; i < 3; ++i)
                 triangle.corners[i] = glm::dvec3(object.world_from_object *
-                                                 glm::dvec4(glm::dvec3(object.surface->positions[face[i]]), 1.0));
+                                                 glm::dvec4(glm::dvec3(surface.positions[face[i]]), 1.0));
             if (side < 0.0) std::swap(triangle.corners[1], triangle.corners[2]);
             const glm::dvec3 area =
                 glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
@@ -121,7 +124,8 @@ std::uint64_t Overlaps::find(const glm::dvec3& from, const glm::dvec3& to, std::
     const glm::dvec3 along = (to - from) / length;
     for (const FaceAtSegment& face : faces) {
         const bool is_outermost = std::all_of(faces.begin(), faces.end(), [&](const FaceAtSegment& other) {
-            return glm::dot(face.normal, other.apex - from) <= tolerance;
+            const double before = glm::dot(face.normal, other.apex - from);
+            return before <= tolerance && (!face.is_two_sided || before >= -tolerance);
         });
         if (!is_outermost) continue;
         glm::dvec3 inward = face.apex - from;

@@ -19,6 +19,7 @@ struct Interval {
 struct FaceAtSegment {
     glm::dvec3 apex;    ///< Its corner off the line.
     glm::dvec3 normal;  ///< Unit, to the side from which it is seen.
+    bool is_two_sided;  ///< It is seen from the other side, too.
 };
 
 /// Finds where a line lies inside of a coplanar face of the same style, so that the surface goes on at both sides of
@@ -28,7 +29,7 @@ class Overlaps {
     Overlaps(std::span<const SeamObject> objects, const SeamOptions& options);
 
     /// Appends the parts of the segment that such a face covers, while all faces at the line lie in its plane or
-    /// behind. How many triangles it looked at. Thread safe.
+    /// behind, where it is not seen from there. How many triangles it looked at. Thread safe.
     std::uint64_t find(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t style,
                        std::span<const FaceAtSegment> faces, std::vector<Interval>& parts) const;
 

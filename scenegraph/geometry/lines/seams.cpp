@@ -14,7 +14,7 @@
 #include "hatchway/geometry/lines/cross_section.hpp"
 #include "hatchway/geometry/lines/line_groups.hpp"
 #include "hatchway/geometry/lines/overlaps.hpp"
-#include "hatchway/geometry/surface/directed_edges.hpp"
+#include "hatchway/geometry/topology/directed_edges.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
 
 namespace hw {
@@ -29,6 +29,8 @@ struct EdgeSide {
     std::uint32_t edge;
     std::uint32_t apex;  // the corner of the face's plane that is farthest from the line
     bool is_forward;     // the face runs along the edge as the table states it
+    bool is_two_sided;   // whatever the object says
+    bool is_of_solid;    // of a closed surface: nobody sees its back, whatever the object says
 };
 
 std::uint32_t apex_of(const Surface& surface, std::uint32_t face, const std::array<std::uint32_t, 2>& ends)
@@ -110,7 +112,8 @@ std::vector<EdgeSide> sides_of_lines(const Surface& surface, float crease_rad)
             if (edge == kNoFace) continue;
             const std::uint32_t apex = apex_of(surface, face, {from, to});
             if (apex == kNoFace) continue;
-            sides.push_back({edge, apex, edge_vertices(surface, edge)[0] == from});
+            sides.push_back({edge, apex, edge_vertices(surface, edge)[0] == from, surface.is_two_sided(face),
+                             surface.components[surface.face_component[face]].is_closed});
         }
     }
     std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
@@ -198,8 +201,8 @@ class SeamSearch {
             // Running along the axis with the face on the left, its front is where the angle rises.
             const bool looks_ccw = (sides[i].is_forward == runs_with_axis) != is_mirrored;
             faces.push_back({.angle_rad = std::atan2(glm::dot(out, y), glm::dot(out, x)),
-                             .looks_ccw = looks_ccw || object.is_double_sided,
-                             .looks_cw = !looks_ccw || object.is_double_sided});
+                             .looks_ccw = looks_ccw || object.is_double_sided || sides[i].is_two_sided,
+                             .looks_cw = !looks_ccw || object.is_double_sided || sides[i].is_two_sided});
         }
     }
 
@@ -296,7 +299,9 @@ class SeamSearch {
             const glm::dvec3 apex = in_world(l.object, sides[i].apex);
             const glm::dvec3 area = glm::cross(segment.to - segment.from, apex - segment.from);
             const double size = glm::length(area);
-            if (size > 0.0) faces.push_back({apex, (sides[i].is_forward != is_mirrored ? area : -area) / size});
+            if (!(size > 0.0)) continue;
+            faces.push_back({apex, (sides[i].is_forward != is_mirrored ? area : -area) / size,
+                             sides[i].is_two_sided || (object.is_double_sided && !sides[i].is_of_solid)});
         }
         return overlaps.find(segment.from, segment.to, object.style, faces, hidden_[line]);
     }

@@ -27,6 +27,7 @@ class NormalSplits {
  private:
     glm::vec3 stated_normal(std::uint32_t face, std::uint32_t position) const
     {
+        if (surface_.face_triangle[face] == kNoFace) return glm::vec3(0.0f);
         const std::uint32_t* corner = &mesh_.indices[3 * std::size_t{surface_.face_triangle[face]}];
         for (int i = 0; i < 3; ++i) {
             if (position_of_vertex_[corner[i]] == position) return mesh_.normals[corner[i]];
@@ -37,7 +38,9 @@ class NormalSplits {
     {
         const glm::vec3 a = stated_normal(edge.edge.face_a(), position), b = stated_normal(edge.edge.face_b, position);
         if (a == glm::vec3(0.0f) || b == glm::vec3(0.0f)) return false;
-        return glm::dot(a, b) < kSplitCosine;
+        // Of a sheet that is modelled from both sides one of two normals is left, that of either side.
+        const bool is_either = surface_.is_two_sided(edge.edge.face_a()) || surface_.is_two_sided(edge.edge.face_b);
+        return (is_either ? std::abs(glm::dot(a, b)) : glm::dot(a, b)) < kSplitCosine;
     }
 
     const Surface& surface_;

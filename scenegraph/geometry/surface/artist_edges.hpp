@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hatchway/geometry/surface/surface.hpp"
-#include "hatchway/geometry/surface/weld.hpp"
+#include "hatchway/geometry/topology/weld.hpp"
 
 namespace hw {
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "hatchway/geometry/topology/directed_edges.hpp"
+
 namespace hw {
 
 /// What an edge can add to a line drawing, decided before any view is known. In all groups but the first, edges stand
@@ -24,9 +26,6 @@ struct EdgeRange {
     std::uint32_t end = 0;
     std::uint32_t size() const { return end - begin; }
 };
-
-/// No face beyond a border.
-inline constexpr std::uint32_t kNoFace = 0xffffffffu;
 
 /// An edge, told by where it is a side of its face A: its ends are then known from the face (edge_vertices()). 8 bytes.
 struct Edge {

@@ -16,7 +16,7 @@ namespace hw {
 /// exact corners would take through the processor.
 class FacingFilter {
  public:
-    /// A collinear face has no plane: it takes the facing of `source`, a face with a plane, or kNoFace: back-facing.
+    /// A face without a plane of its own takes the facing of `source`, one that has one, or kNoFace: back-facing.
     struct Inherited {
         std::uint32_t face;
         std::uint32_t source;
@@ -44,7 +44,7 @@ class FacingFilter {
     std::uint32_t face_count_ = 0;
     glm::dvec3 centre_{0.0};
     double radius_ = 1.0;  ///< Of the mesh around centre_: the unit of offsets.
-    StepBlocks planes_;    ///< A collinear face has the plane of its source.
+    StepBlocks planes_;    ///< A face without one has that of its source.
 };
 
 }  // namespace hw

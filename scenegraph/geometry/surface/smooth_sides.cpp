@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "hatchway/geometry/surface/directed_edges.hpp"
+#include "hatchway/geometry/topology/directed_edges.hpp"
 
 namespace hw {
 namespace {

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "hatchway/geometry/surface/weld.hpp"
+#include "hatchway/geometry/topology/weld.hpp"
 
 namespace hw {
 

@@ -3,32 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
-#include "hatchway/geometry/exact/predicates.hpp"
+#include "hatchway/geometry/surface/angle_change.hpp"
 #include "hatchway/geometry/surface/artist_edges.hpp"
-#include "hatchway/geometry/surface/directed_edges.hpp"
-#include "hatchway/geometry/surface/orientation.hpp"
+#include "hatchway/geometry/surface/inherited_planes.hpp"
 #include "hatchway/geometry/surface/outline_order.hpp"
-#include "hatchway/geometry/surface/stitch.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
-#include "hatchway/geometry/surface/weld.hpp"
+#include "hatchway/geometry/topology/repaired_mesh.hpp"
 
 namespace hw {
 namespace {
-
-/// The corner between the other two of a collinear face, exactly.
-int middle_corner(const Surface& surface, const FaceCorners& face)
-{
-    const glm::vec3 p[3] = {surface.positions[face[0]], surface.positions[face[1]], surface.positions[face[2]]};
-    int axis = 0;
-    while (axis < 2 && p[0][axis] == p[1][axis]) ++axis;
-    for (int corner = 0; corner < 3; ++corner) {
-        const float at = p[corner][axis], next = p[(corner + 1) % 3][axis], last = p[(corner + 2) % 3][axis];
-        if ((next < at && at < last) || (last < at && at < next)) return corner;
-    }
-    return 0;
-}
 
 class SurfaceBuild {
  public:
@@ -36,9 +20,8 @@ class SurfaceBuild {
 
     Surface run()
     {
-        weld_and_stitch();
-        repair();
-        inherit_planes();
+        weld_and_repair();
+        inherit_planes(surface_);
         judge_components();
         collect_edges();
         mark_artist_edges(inner_, surface_, mesh_, position_of_vertex_, options_.artist_fold_rad);
@@ -49,94 +32,48 @@ class SurfaceBuild {
     }
 
  private:
-    void weld_and_stitch()
+    void weld_and_repair()
     {
         WeldedMesh welded = weld(mesh_);
-        surface_.report.triangles_in = static_cast<std::uint32_t>(mesh_.triangle_count());
-        surface_.report.removed_faces = surface_.report.triangles_in - static_cast<std::uint32_t>(welded.faces.size());
-        surface_.positions = std::move(welded.positions);
-        for (const std::uint32_t face : outline_order(surface_.positions, welded.faces)) {
-            surface_.faces.push_back(welded.faces[face]);
-            surface_.face_triangle.push_back(welded.face_triangle[face]);
-        }
-        position_of_vertex_ = std::move(welded.vertex_position);
-        uses_ = sorted_directed_edges(surface_.faces);
-        const std::vector<FaceCorners> before = surface_.faces;
-        surface_.report.stitched_edges = stitch_borders(surface_.positions, surface_.faces, uses_, stitch_tolerance());
-        if (surface_.report.stitched_edges == 0) return;
-        drop_unused_positions(before);
-        uses_ = sorted_directed_edges(surface_.faces);
+        SurfaceReport& report = surface_.report;
+        report.triangles_in = static_cast<std::uint32_t>(mesh_.triangle_count());
+        report.removed_faces = report.triangles_in - static_cast<std::uint32_t>(welded.faces.size());
+        RepairedMesh repaired = repair_mesh(in_outline_order(std::move(welded)), options_.stitch_share);
+        surface_.positions = std::move(repaired.positions);
+        surface_.faces = std::move(repaired.faces);
+        surface_.face_triangle = std::move(repaired.face_triangle);
+        surface_.two_sided_faces = std::move(repaired.two_sided_faces);
+        surface_.face_component = std::move(repaired.face_component);
+        surface_.components.resize(repaired.component_count);
+        report.doubled_faces = repaired.doubled_faces;
+        report.stitched_edges = repaired.stitched_edges;
+        report.t_junction_edges = repaired.t_junction_edges;
+        report.flipped_faces = static_cast<std::uint32_t>(repaired.flipped_faces.size());
+        position_of_vertex_ = std::move(repaired.vertex_position);
+        uses_ = std::move(repaired.uses);
+        surface_.normal_from_object = fold_normal_matrix(options_.world_from_object);
     }
 
-    float stitch_tolerance() const
+    static WeldedMesh in_outline_order(WeldedMesh welded)
     {
-        if (surface_.positions.empty()) return 0.0f;
-        glm::vec3 low = surface_.positions[0], high = low;
-        for (const glm::vec3& p : surface_.positions) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
+        std::vector<FaceCorners> faces;
+        std::vector<std::uint32_t> triangles;
+        faces.reserve(welded.faces.size());
+        triangles.reserve(welded.faces.size());
+        for (const std::uint32_t face : outline_order(welded.positions, welded.faces)) {
+            faces.push_back(welded.faces[face]);
+            triangles.push_back(welded.face_triangle[face]);
         }
-        const double diagonal = glm::distance(glm::dvec3(low), glm::dvec3(high));
-        return static_cast<float>(options_.stitch_share * diagonal);
-    }
-
-    void drop_unused_positions(const std::vector<FaceCorners>& before)
-    {
-        std::vector<std::uint32_t> new_id(surface_.positions.size(), kNoFace);
-        std::vector<glm::vec3> kept;
-        std::vector<std::uint32_t> stitched_to(surface_.positions.size());
-        for (std::size_t face = 0; face < before.size(); ++face) {
-            for (int corner = 0; corner < 3; ++corner) {
-                const std::uint32_t id = surface_.faces[face][corner];
-                if (new_id[id] == kNoFace) {
-                    new_id[id] = static_cast<std::uint32_t>(kept.size());
-                    kept.push_back(surface_.positions[id]);
-                }
-                stitched_to[before[face][corner]] = surface_.faces[face][corner] = new_id[id];
-            }
-        }
-        for (std::uint32_t& position : position_of_vertex_) position = stitched_to[position];
-        surface_.positions = std::move(kept);
-    }
-
-    void repair()
-    {
-        WindingRepair repair = repair_winding(surface_.faces, uses_);
-        surface_.face_component = std::move(repair.face_component);
-        surface_.components.resize(repair.component_count);
-        surface_.report.flipped_faces = repair.flipped_faces;
-        if (repair.flipped_faces > 0) uses_ = sorted_directed_edges(surface_.faces);
-    }
-
-    void inherit_planes()
-    {
-        std::vector<FacingFilter::Inherited>& inherited = surface_.filter.inherited;
-        for (std::uint32_t face = 0; face < surface_.faces.size(); ++face) {
-            const auto& [a, b, c] = surface_.faces[face];
-            if (are_collinear(surface_.positions[a], surface_.positions[b], surface_.positions[c])) {
-                inherited.push_back({face, kNoFace});
-            }
-        }
-        surface_.report.collinear_faces = static_cast<std::uint32_t>(inherited.size());
-        if (inherited.empty()) return;
-        const std::vector<FaceCorners> neighbours = face_neighbours(surface_.faces.size(), uses_);
-        const auto beyond_longest = [&](std::uint32_t face) {
-            return neighbours[face][(middle_corner(surface_, surface_.faces[face]) + 1) % 3];
-        };
-        std::vector<bool> is_collinear(surface_.faces.size(), false);
-        for (const auto& entry : inherited) is_collinear[entry.face] = true;
-        for (auto& entry : inherited) {
-            std::uint32_t source = beyond_longest(entry.face);
-            for (std::size_t step = 0; source != kNoFace && is_collinear[source]; ++step) {
-                source = step < inherited.size() ? beyond_longest(source) : kNoFace;
-            }
-            entry.source = source;
-        }
+        welded.faces = std::move(faces);
+        welded.face_triangle = std::move(triangles);
+        return welded;
     }
 
     void judge_components()
     {
         for (SurfaceComponent& component : surface_.components) component.is_closed = true;
+        for (std::uint32_t face = 0; face < surface_.two_sided_faces.size(); ++face)
+            if (surface_.two_sided_faces[face]) component_of(face).is_two_sided = true;
         for_each_edge(uses_, [&](std::span<const DirectedEdge> edge) {
             if (edge.size() == 2 && edge[0].is_forward != edge[1].is_forward) return;
             for (const DirectedEdge& use : edge) component_of(use.face).is_closed = false;
@@ -147,9 +84,9 @@ class SurfaceBuild {
         for (std::size_t i = 0; i < surface_.components.size(); ++i) {
             SurfaceComponent& component = surface_.components[i];
             component.is_outward = component.is_closed && volumes[i] > 0.0;
-            component.has_reflex_rule = component.is_outward && options_.is_solid;
+            component.has_reflex_rule = component.is_outward && options_.is_solid && !component.is_two_sided;
             report.closed_components += component.is_closed;
-            report.inward_components += component.is_closed && volumes[i] < 0.0;
+            report.inward_components += component.is_closed && !component.is_two_sided && volumes[i] < 0.0;
             report.reflex_rule_components += component.has_reflex_rule;
         }
     }

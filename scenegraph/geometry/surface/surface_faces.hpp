@@ -10,11 +10,11 @@ namespace hw {
 /// The three corners of a face, in winding order. `face` may be a reversed twin, see FacingFilter.
 std::array<std::uint32_t, 3> face_corners(const Surface& surface, std::uint32_t face);
 
-/// The face that gives `face` its plane: itself, or for a collinear face the one it inherits from, or kNoFace.
+/// The face that gives `face` its plane: itself, or the one it inherits from (FacingFilter::Inherited), or kNoFace.
 /// A twin answers with the face that it turns over.
 std::uint32_t plane_face(const Surface& surface, std::uint32_t face);
 
-/// The normal of a face's plane, with the length of twice its area, in doubles; zero where it has no plane. A twin's
+/// The normal of a face's plane as the world shows it, in doubles, any length; zero where it has no plane. A twin's
 /// normal is turned over.
 glm::dvec3 plane_normal(const Surface& surface, std::uint32_t face);
 

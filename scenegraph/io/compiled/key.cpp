@@ -42,12 +42,13 @@ std::uint64_t geometry_key(const Scene& scene)
         key.add_all(mesh.positions);
         key.add_all(mesh.indices);
     }
-    for (const Object& object : scene.objects) {
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        const Object& object = scene.objects[id];
         const Material& material = scene.materials[static_cast<std::size_t>(object.material)];
         const Node& node = scene.nodes[static_cast<std::size_t>(object.node)];
         key.add(object.mesh);
         key.add(object.node);
-        key.add(node.world_from_node);
+        key.add(scene.world_from_object(id));
         key.add(node.is_animated);
         key.add(static_cast<std::uint8_t>(material.alpha_mode));
         key.add(material.is_double_sided);

@@ -61,7 +61,8 @@ std::vector<std::uint8_t> visibility_bits(const MeshData& mesh, const Surface& s
 {
     std::vector<std::uint8_t> bits((mesh.indices.size() + 3) / 4, 0);
     std::vector<std::uint32_t> face_of(mesh.triangle_count(), kNoFace);
-    for (std::uint32_t face = 0; face < surface.faces.size(); ++face) face_of[surface.face_triangle[face]] = face;
+    for (std::uint32_t face = 0; face < surface.faces.size(); ++face)
+        if (surface.face_triangle[face] != kNoFace) face_of[surface.face_triangle[face]] = face;
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         if (face_of[i / 3] == kNoFace) continue;
         const auto place = [&](std::size_t corner) {

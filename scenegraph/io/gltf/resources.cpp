@@ -37,8 +37,9 @@ std::optional<std::vector<std::byte>> decode_base64(std::string_view text)
     return bytes;
 }
 
-/// "%2e" and the like undone; empty when a '%' is followed by something else than two hexadecimal digits.
-std::optional<std::string> decode_percent(const std::string& uri)
+/// "%2e" and the like undone. A '%' that no two hexadecimal digits follow stands for itself: many exporters write names
+/// as they are.
+std::string decode_percent(const std::string& uri)
 {
     const auto digit = [](char c) {
         if (c >= '0' && c <= '9') return c - '0';
@@ -47,11 +48,12 @@ std::optional<std::string> decode_percent(const std::string& uri)
     };
     std::string text;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] != '%') {
+        const bool is_coded =
+            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+        if (!is_coded) {
             text += uri[i];
             continue;
         }
-        if (i + 2 >= uri.size() || digit(uri[i + 1]) < 0 || digit(uri[i + 2]) < 0) return {};
         text += static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2]));
         i += 2;
     }
@@ -81,9 +83,8 @@ std::vector<std::byte> GltfResources::decode_data_uri(const std::string& uri, co
 
 std::filesystem::path GltfResources::resolve(const std::string& uri, const std::string& pointer) const
 {
-    const std::optional<std::string> path = decode_percent(uri);
-    if (path && !has_scheme(uri))
-        return resolve_inside(project_root_, file_.parent_path(), *path, file_.string(), pointer);
+    if (!has_scheme(uri))
+        return resolve_inside(project_root_, file_.parent_path(), decode_percent(uri), file_.string(), pointer);
     throw Error({.what = "the URI \"" + uri.substr(0, 80) + "\" is not read",
                  .file = file_.string(),
                  .pointer = pointer,
@@ -94,6 +95,12 @@ std::vector<std::byte> GltfResources::read(const std::string& uri, const std::st
 {
     if (uri.starts_with("data:")) return decode_data_uri(uri, pointer);
     const std::filesystem::path path = resolve(uri, pointer);
+    std::error_code failed;
+    if (!std::filesystem::exists(path, failed))
+        throw Error({.what = "there is no file \"" + uri + '"',
+                     .file = file_.string(),
+                     .pointer = pointer,
+                     .expected = "a path relative to the file that names it"});
     const std::uint64_t left = limits::kMaxTotalBytes - std::min(spent_, limits::kMaxTotalBytes);
     try {
         std::vector<std::byte> bytes = read_file(path, std::min(left, limits::kMaxFileBytes));

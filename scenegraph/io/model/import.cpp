@@ -8,6 +8,7 @@
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/gltf/import.hpp"
 #include "hatchway/io/meshes/import.hpp"
+#include "hatchway/io/model/settle_meshes.hpp"
 
 namespace hw {
 namespace {
@@ -41,6 +42,16 @@ MeshFormat format_of(std::string_view bytes, MeshFormat stated)
     return stated;
 }
 
+Scene import_as_stated(const std::filesystem::path& file, const std::filesystem::path& project_root)
+{
+    const Extension* extension = extension_of(file);
+    if (!extension || !extension->mesh) return import_gltf(file, project_root);
+    std::string bytes = read_text_file(file, limits::kMaxFileBytes);
+    if (bytes.starts_with("glTF")) return import_gltf(file, project_root);
+    const MeshFormat format = format_of(bytes, *extension->mesh);
+    return import_mesh(format, std::move(bytes), file, project_root);
+}
+
 }  // namespace
 
 bool is_model_file(const std::filesystem::path& file)
@@ -50,12 +61,9 @@ bool is_model_file(const std::filesystem::path& file)
 
 Scene import_model(const std::filesystem::path& file, const std::filesystem::path& project_root)
 {
-    const Extension* extension = extension_of(file);
-    if (!extension || !extension->mesh) return import_gltf(file, project_root);
-    std::string bytes = read_text_file(file, limits::kMaxFileBytes);
-    if (bytes.starts_with("glTF")) return import_gltf(file, project_root);
-    const MeshFormat format = format_of(bytes, *extension->mesh);
-    return import_mesh(format, std::move(bytes), file, project_root);
+    Scene scene = import_as_stated(file, project_root);
+    settle_meshes(scene);
+    return scene;
 }
 
 }  // namespace hw

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <span>
 
 #include "hatchway/geometry/lines/cross_section.hpp"
+#include "hatchway/geometry/lines/visible_lines.hpp"
 #include "tests/geometry/test_meshes.hpp"
 
 namespace {
@@ -218,4 +222,61 @@ TEST(cross_section, a_wall_inside_of_an_open_shell_makes_no_line_on_its_outside)
     const std::array<hw::FaceAtLine, 3> fence{
         {{0.0, true, false}, {2 * kQuarter, false, true}, {kQuarter, false, true}}};
     EXPECT_FALSE(hw::is_flat_across(fence, 0.01));
+}
+
+namespace {
+
+/// Pixels of visible lines on the edge from the origin to +z, of a fan of faces around it at these angles whose winding
+/// the bits of `winding` turn over.
+double line_px_on_edge(std::span<const float> angles, unsigned winding, bool is_culled)
+{
+    hw::MeshData mesh = mesh_of({{0, 0, 0}, {0, 0, 1}}, {});
+    for (const float angle : angles) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.0f});
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), 1.0f});
+        std::vector<std::uint32_t> two{0, 1, first + 1, 0, first + 1, first};
+        if (winding & 1) two = {0, first + 1, 1, 0, first, first + 1};
+        winding >>= 1;
+        mesh.indices.insert(mesh.indices.end(), two.begin(), two.end());
+    }
+    const hw::Surface surface = hw::build_surface(mesh, {.is_solid = false});
+    const std::vector<hw::SeamObject> together{{.surface = &surface, .is_double_sided = !is_culled}};
+    const std::vector<hw::Seams> seams = hw::find_seams(together);
+    const std::vector<hw::LineObject> objects{{.surface = &surface, .seams = &seams[0], .is_culled = is_culled}};
+    const hw::LineCamera camera{.eye_world = {1.0, 5.0, 2.5}, .target_world = {0, 0, 0.5}};
+    double sum = 0.0;
+    for (const hw::VisibleLine& line : hw::find_visible_lines(objects, camera))
+        for (std::size_t i = 0; i < line.sources.size(); ++i) {
+            if (!line.sources[i].is_edge()) continue;
+            const auto [a, b] = hw::edge_vertices(surface, line.sources[i].index());
+            const auto is_on = [&](std::uint32_t p) { return glm::vec2(surface.positions[p]) == glm::vec2(0.0f); };
+            if (is_on(a) && is_on(b))
+                sum += glm::distance(line.points_px[i], line.points_px[(i + 1) % line.points_px.size()]);
+        }
+    return sum;
+}
+
+}  // namespace
+
+TEST(complex_edges, of_three_to_six_two_sided_faces_are_drawn_however_the_faces_wind)
+{
+    const std::vector<std::vector<float>> fans{{0.0f, 3.1415927f, 1.5707964f},
+                                               {0.0f, 3.1415927f, 0.8f},
+                                               {0.0f, 3.1415927f, 1.5707964f, -1.5707964f},
+                                               {0.0f, 1.2f, 2.4f, 3.6f, 4.8f},
+                                               {0.1f, 1.1f, 2.1f, 3.1f, 4.1f, 5.1f}};
+    for (const std::vector<float>& fan : fans)
+        for (unsigned winding = 0; winding < 1u << fan.size(); ++winding)
+            EXPECT_GT(line_px_on_edge(fan, winding, false), 50.0) << fan.size() << " faces, winding " << winding;
+}
+
+TEST(complex_edges, of_culled_faces_are_drawn_wherever_one_of_them_is_seen_from_the_front)
+{
+    const std::vector<float> fan{0.0f, 3.1415927f, 1.5707964f};
+    for (unsigned winding = 0; winding < 8; ++winding) {
+        const bool left_is_seen = (winding & 2) != 0, right_is_seen = (winding & 1) == 0;
+        if (!left_is_seen && !right_is_seen) continue;
+        EXPECT_GT(line_px_on_edge(fan, winding, true), 50.0) << "winding " << winding;
+    }
 }

@@ -329,7 +329,7 @@ std::vector<json> reasons_to_refuse(const fs::path& report)
 bool names_place(const hw::ErrorParts& parts, const std::vector<json>& reasons)
 {
     // Where the file refers to data that the corpus does not hold, that comes first.
-    if (parts.what.find("No such file") != std::string::npos) return true;
+    if (parts.what.find("there is no file") != std::string::npos) return true;
     for (const json& reason : reasons)
         if (reason.value("pointer", "") == parts.pointer) return true;
     return false;

@@ -1,4 +1,4 @@
-#include "hatchway/geometry/surface/weld.hpp"
+#include "hatchway/geometry/topology/weld.hpp"
 
 #include <bit>
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
-#include "hatchway/geometry/surface/directed_edges.hpp"
+#include "hatchway/geometry/topology/directed_edges.hpp"
 
 namespace hw {
 
@@ -12,12 +13,14 @@ namespace hw {
 struct WindingRepair {
     std::vector<std::uint32_t> face_component;
     std::uint32_t component_count = 0;
-    std::uint32_t flipped_faces = 0;
+    std::vector<std::uint32_t> flipped_faces;  ///< Rising.
 };
 
 /// Flips the minority of faces in every component whose winding is inconsistent. A consistent component is left as it
 /// is, also when it faces inward: that is a room. A component that cannot be oriented keeps its winding unless flipping
-/// leaves fewer inconsistent edges. Of two equal halves the one without the component's first face is flipped.
-WindingRepair repair_winding(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses);
+/// leaves fewer inconsistent edges. Of two equal halves that one is flipped that leaves a solid, if the component is
+/// closed, else the one without its first face.
+WindingRepair repair_winding(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces,
+                             std::span<const DirectedEdge> uses);
 
 }  // namespace hw

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hatchway/geometry/surface/directed_edges.hpp"
+#include "hatchway/geometry/topology/directed_edges.hpp"
 
 namespace hw {
 

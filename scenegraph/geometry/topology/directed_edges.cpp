@@ -1,8 +1,7 @@
-#include "hatchway/geometry/surface/directed_edges.hpp"
+#include "hatchway/geometry/topology/directed_edges.hpp"
 
 #include <algorithm>
 
-#include "hatchway/geometry/surface/edge_table.hpp"
 
 namespace hw {
 namespace {

@@ -1,4 +1,4 @@
-#include "hatchway/geometry/surface/stitch.hpp"
+#include "hatchway/geometry/topology/stitch.hpp"
 
 #include <algorithm>
 #include <cmath>

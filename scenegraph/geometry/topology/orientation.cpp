@@ -1,6 +1,8 @@
-#include "hatchway/geometry/surface/orientation.hpp"
+#include "hatchway/geometry/topology/orientation.hpp"
 
-#include "hatchway/geometry/surface/edge_table.hpp"
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 
 namespace hw {
 namespace {
@@ -9,14 +11,16 @@ namespace {
 struct Component {
     std::vector<std::uint32_t> faces;
     std::uint32_t opposed = 0;
+    bool has_border = false;
     std::uint32_t inconsistent_before = 0;  // counted once from each side
     std::uint32_t inconsistent_after = 0;
 };
 
 class WindingWalk {
  public:
-    WindingWalk(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses)
-        : faces_(faces), neighbours_(face_neighbours(faces.size(), uses)), is_opposed_(faces.size(), false)
+    WindingWalk(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces,
+                std::span<const DirectedEdge> uses)
+        : positions_(positions), faces_(faces), neighbours_(face_neighbours(faces.size(), uses)), is_opposed_(faces.size(), false)
     {
         repair_.face_component.assign(faces.size(), kNoFace);
     }
@@ -29,6 +33,7 @@ class WindingWalk {
             flip_minority(component);
             ++repair_.component_count;
         }
+        std::sort(repair_.flipped_faces.begin(), repair_.flipped_faces.end());
         return std::move(repair_);
     }
 
@@ -52,6 +57,7 @@ class WindingWalk {
             component.opposed += is_opposed_[face];
             for (int corner = 0; corner < 3; ++corner) {
                 const std::uint32_t other = neighbours_[face][corner];
+                component.has_border |= other == kNoFace;
                 if (other == kNoFace) continue;
                 const bool against = winds_against(face, corner, other);
                 if (repair_.face_component[other] == kNoFace) {
@@ -69,14 +75,31 @@ class WindingWalk {
     void flip_minority(const Component& component)
     {
         if (component.inconsistent_after >= component.inconsistent_before) return;
-        const bool flip_opposed = 2 * component.opposed <= component.faces.size();
+        const bool is_even = 2 * component.opposed == component.faces.size();
+        const bool flip_opposed = is_even && !component.has_border ? volume_of(component) >= 0.0
+                                                                   : 2 * component.opposed <= component.faces.size();
         for (const std::uint32_t face : component.faces) {
             if (is_opposed_[face] != flip_opposed) continue;
             std::swap(faces_[face][1], faces_[face][2]);
-            ++repair_.flipped_faces;
+            repair_.flipped_faces.push_back(face);
         }
     }
 
+    /// As the component's first face would have all of them wound.
+    double volume_of(const Component& component) const
+    {
+        const auto place = [&](std::uint32_t face, int corner) { return glm::dvec3(positions_[faces_[face][corner]]); };
+        const glm::dvec3 origin = place(component.faces[0], 0);
+        double volume = 0.0;
+        for (const std::uint32_t face : component.faces) {
+            const double own = glm::dot(glm::cross(place(face, 0) - origin, place(face, 1) - origin),
+                                        place(face, 2) - origin);
+            volume += is_opposed_[face] ? -own : own;
+        }
+        return volume;
+    }
+
+    std::span<const glm::vec3> positions_;
     std::vector<FaceCorners>& faces_;
     std::vector<FaceCorners> neighbours_;
     std::vector<bool> is_opposed_;
@@ -85,9 +108,10 @@ class WindingWalk {
 
 }  // namespace
 
-WindingRepair repair_winding(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses)
+WindingRepair repair_winding(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces,
+                             std::span<const DirectedEdge> uses)
 {
-    return WindingWalk(faces, uses).run();
+    return WindingWalk(positions, faces, uses).run();
 }
 
 }  // namespace hw

@@ -9,6 +9,9 @@ namespace hw {
 
 using FaceCorners = std::array<std::uint32_t, 3>;
 
+/// No face: beyond a border, or without a triangle.
+inline constexpr std::uint32_t kNoFace = 0xffffffffu;
+
 /// One face's use of an edge: its side from corner `corner` to the next.
 struct DirectedEdge {
     std::uint32_t low;   ///< The smaller position id.

@@ -1,0 +1,173 @@
+#include "hatchway/geometry/topology/repaired_mesh.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "hatchway/geometry/topology/doubled_faces.hpp"
+#include "hatchway/geometry/topology/orientation.hpp"
+#include "hatchway/geometry/topology/stitch.hpp"
+#include "hatchway/geometry/topology/t_junctions.hpp"
+
+namespace hw {
+namespace {
+
+class MeshRepair {
+ public:
+    MeshRepair(WeldedMesh mesh, float stitch_share)
+    {
+        made_.positions = std::move(mesh.positions);
+        made_.vertex_position = std::move(mesh.vertex_position);
+        made_.faces = std::move(mesh.faces);
+        made_.face_triangle = std::move(mesh.face_triangle);
+        tolerance_ = stitch_share * diagonal();
+    }
+
+    RepairedMesh run()
+    {
+        made_.uses = sorted_directed_edges(made_.faces);
+        join_doubled();
+        stitch();
+        close();
+        wind();
+        return std::move(made_);
+    }
+
+ private:
+    float diagonal() const
+    {
+        if (made_.positions.empty()) return 0.0f;
+        glm::vec3 low = made_.positions[0], high = low;
+        for (const glm::vec3& p : made_.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        return static_cast<float>(glm::distance(glm::dvec3(low), glm::dvec3(high)));
+    }
+
+    void join_doubled()
+    {
+        const DoubledFaces doubled = find_doubled_faces(made_.faces, made_.uses, made_.face_triangle);
+        if (doubled.is_dropped.empty()) return;
+        std::size_t kept = 0;
+        for (std::size_t face = 0; face < made_.faces.size(); ++face) {
+            if (doubled.is_dropped[face]) continue;
+            made_.faces[kept] = made_.faces[face];
+            made_.face_triangle[kept++] = made_.face_triangle[face];
+            made_.two_sided_faces.push_back(doubled.is_two_sided[face]);
+        }
+        made_.doubled_faces = static_cast<std::uint32_t>(made_.faces.size() - kept);
+        made_.faces.resize(kept);
+        made_.face_triangle.resize(kept);
+        made_.uses = sorted_directed_edges(made_.faces);
+    }
+
+    void stitch()
+    {
+        const std::vector<FaceCorners> before = made_.faces;
+        made_.stitched_edges = stitch_borders(made_.positions, made_.faces, made_.uses, tolerance_);
+        if (made_.stitched_edges == 0) return;
+        drop_unused_positions(before);
+        made_.uses = sorted_directed_edges(made_.faces);
+    }
+
+    void drop_unused_positions(const std::vector<FaceCorners>& before)
+    {
+        std::vector<std::uint32_t> new_id(made_.positions.size(), kNoFace);
+        std::vector<glm::vec3> kept;
+        std::vector<std::uint32_t> stitched_to(made_.positions.size());
+        for (std::size_t face = 0; face < before.size(); ++face) {
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t id = made_.faces[face][corner];
+                if (new_id[id] == kNoFace) {
+                    new_id[id] = static_cast<std::uint32_t>(kept.size());
+                    kept.push_back(made_.positions[id]);
+                }
+                stitched_to[before[face][corner]] = made_.faces[face][corner] = new_id[id];
+            }
+        }
+        for (std::uint32_t& position : made_.vertex_position) position = stitched_to[position];
+        made_.positions = std::move(kept);
+    }
+
+    void close()
+    {
+        made_.t_junction_edges = close_t_junctions(made_.positions, made_.faces, made_.uses, made_.two_sided_faces, tolerance_);
+        if (made_.t_junction_edges == 0) return;
+        made_.face_triangle.resize(made_.faces.size(), kNoFace);
+        if (!made_.two_sided_faces.empty()) made_.two_sided_faces.resize(made_.faces.size(), false);
+        made_.uses = sorted_directed_edges(made_.faces);
+    }
+
+    void wind()
+    {
+        WindingRepair repair = repair_winding(made_.positions, made_.faces, made_.uses);
+        made_.face_component = std::move(repair.face_component);
+        made_.component_count = repair.component_count;
+        if (repair.flipped_faces.empty()) return;
+        made_.uses = sorted_directed_edges(made_.faces);
+        made_.flipped_faces = std::move(repair.flipped_faces);
+        std::erase_if(made_.flipped_faces, [&](std::uint32_t face) {
+            const bool is_two_sided = !made_.two_sided_faces.empty() && made_.two_sided_faces[face];
+            return is_two_sided || made_.face_triangle[face] == kNoFace;
+        });
+    }
+
+    RepairedMesh made_;
+    float tolerance_ = 0.0f;
+};
+
+/// Most meshes are closed and wound alike, which a look at their edges tells.
+bool is_closed_and_consistent(const WeldedMesh& mesh)
+{
+    bool is_good = true;
+    for_each_edge(sorted_directed_edges(mesh.faces), [&](std::span<const DirectedEdge> edge) {
+        is_good &= edge.size() == 2 && edge[0].is_forward != edge[1].is_forward;
+    });
+    return is_good;
+}
+
+}  // namespace
+
+RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share)
+{
+    return MeshRepair(std::move(mesh), stitch_share).run();
+}
+
+std::vector<std::uint32_t> wrongly_wound_triangles(const MeshData& mesh)
+{
+    WeldedMesh welded = weld(mesh);
+    if (is_closed_and_consistent(welded)) return {};
+    const RepairedMesh repaired = repair_mesh(std::move(welded), kStitchShare);
+    std::vector<std::uint32_t> triangles;
+    for (const std::uint32_t face : repaired.flipped_faces) triangles.push_back(repaired.face_triangle[face]);
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+void turn_over(MeshData& mesh, const std::vector<std::uint32_t>& triangles)
+{
+    for (const std::uint32_t triangle : triangles)
+        std::swap(mesh.indices[3 * std::size_t{triangle} + 1], mesh.indices[3 * std::size_t{triangle} + 2]);
+    if (triangles.empty() || mesh.normals.empty()) return;
+    std::vector<bool> is_kept(mesh.positions.size(), false);  // also used by another triangle
+    auto next = triangles.begin();
+    for (std::uint32_t triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
+        if (next != triangles.end() && *next == triangle) {
+            ++next;
+            continue;
+        }
+        for (std::size_t i = 0; i < 3; ++i) is_kept[mesh.indices[3 * std::size_t{triangle} + i]] = true;
+    }
+    for (const std::uint32_t triangle : triangles) {
+        const std::uint32_t* const corner = &mesh.indices[3 * std::size_t{triangle}];
+        const glm::dvec3 a = mesh.positions[corner[0]];
+        const glm::dvec3 area = glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a,
+                                           glm::dvec3(mesh.positions[corner[2]]) - a);
+        for (int i = 0; i < 3; ++i)
+            if (!is_kept[corner[i]] && glm::dot(glm::dvec3(mesh.normals[corner[i]]), area) < 0.0)
+                mesh.normals[corner[i]] = -mesh.normals[corner[i]];
+    }
+}
+
+}  // namespace hw

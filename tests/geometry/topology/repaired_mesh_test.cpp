@@ -1,0 +1,271 @@
+// What public bug reports of similar programs showed: meshes as people have them, each kind by its name.
+#include "hatchway/geometry/topology/repaired_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <random>
+
+#include "hatchway/geometry/lines/visible_lines.hpp"
+#include "hatchway/geometry/surface/surface.hpp"
+#include "tests/geometry/test_meshes.hpp"
+
+namespace {
+
+using namespace hw::test;
+
+/// Pixels of lines of each class that a culled object shows from an eye.
+std::map<hw::LineClass, double> drawn_px(const hw::Surface& surface, const glm::dvec3& eye, bool is_culled = true)
+{
+    const std::vector<hw::LineObject> objects{{.surface = &surface, .is_culled = is_culled}};
+    std::map<hw::LineClass, double> sums;
+    const hw::LineCamera camera{.eye_world = eye, .target_world = {0.01, 0.02, 0.03}, .size_px = {1400, 900}};
+    for (const hw::VisibleLine& line : hw::find_visible_lines(objects, camera)) {
+        double& sum = sums[line.line_class];
+        const std::size_t count = line.points_px.size();
+        for (std::size_t i = 1; i < count + line.is_closed; ++i)
+            sum += glm::distance(line.points_px[i - 1], line.points_px[i % count]);
+    }
+    return sums;
+}
+
+double all_px(const std::map<hw::LineClass, double>& sums)
+{
+    double sum = 0.0;
+    for (const auto& [line_class, length] : sums) sum += length;
+    return sum;
+}
+
+/// Each triangle once more with the opposite winding, on the same vertices or on others.
+hw::MeshData doubled(const hw::MeshData& mesh, bool with_own_vertices)
+{
+    if (with_own_vertices) return joined({mesh, turned_over(mesh)});
+    hw::MeshData both = mesh;
+    const hw::MeshData turned = turned_over(mesh);
+    // Side by side, as modellers write them.
+    both.indices.clear();
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        both.indices.insert(both.indices.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+        both.indices.insert(both.indices.end(), &turned.indices[i], &turned.indices[i] + 3);
+    }
+    return both;
+}
+
+/// A roof of two quads that meet in a fold of 11 degrees.
+hw::MeshData folded_sheet()
+{
+    return mesh_of({{-1, 0, -1}, {0, 0.1f, -1}, {1, 0, -1}, {-1, 0, 1}, {0, 0.1f, 1}, {1, 0, 1}},
+                   {0, 3, 4, 0, 4, 1, 1, 4, 5, 1, 5, 2});
+}
+
+hw::MeshData cup()
+{
+    hw::MeshData mesh = sphere(16, 12);
+    std::vector<std::uint32_t> lower;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        float highest = -2.0f;
+        for (std::size_t k = i; k < i + 3; ++k) highest = std::max(highest, mesh.positions[mesh.indices[k]].y);
+        if (highest < 0.3f) lower.insert(lower.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+    }
+    mesh.indices = lower;
+    return mesh;
+}
+
+const std::vector<glm::dvec3> kEyes{{3, 2.5, 4}, {-3, 2, 3.5}, {0.3, -3, 2}, {-2, -2.5, -3}};
+
+/// A box of which the front's sides are cut by `cuts` more vertices at every edge that other sides have whole.
+hw::MeshData box_with_t_junctions(int cuts, float off)
+{
+    hw::MeshData mesh = box({-1, -1, -1}, {1, 1, 1});
+    // The front again, as a fan of triangles around its middle, with vertices on its four edges.
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        bool is_front = true;
+        for (std::size_t k = i; k < i + 3; ++k) is_front &= mesh.positions[mesh.indices[k]].z == 1.0f;
+        if (!is_front) kept.insert(kept.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+    }
+    mesh.indices = kept;
+    const glm::vec3 corners[4] = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
+    std::vector<glm::vec3> round;
+    for (int side = 0; side < 4; ++side)
+        for (int i = 0; i <= cuts; ++i) {
+            glm::vec3 p = glm::mix(corners[side], corners[(side + 1) % 4],
+                                   static_cast<float>(i) / static_cast<float>(cuts + 1));
+            if (i > 0) p.z += off;
+            round.push_back(p);
+        }
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto count = static_cast<std::uint32_t>(round.size());
+    mesh.positions.insert(mesh.positions.end(), round.begin(), round.end());
+    mesh.positions.push_back({0, 0, 1});
+    for (std::uint32_t i = 0; i < count; ++i)
+        mesh.indices.insert(mesh.indices.end(), {first + count, first + i, first + (i + 1) % count});
+    return mesh;
+}
+
+hw::MeshData with_turned(hw::MeshData mesh, std::span<const std::uint32_t> triangles)
+{
+    for (const std::uint32_t triangle : triangles)
+        std::swap(mesh.indices[3 * triangle + 1], mesh.indices[3 * triangle + 2]);
+    return mesh;
+}
+
+double volume(const hw::MeshData& mesh)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        sum += glm::dot(glm::cross(glm::dvec3(mesh.positions[mesh.indices[i]]),
+                                   glm::dvec3(mesh.positions[mesh.indices[i + 1]])),
+                        glm::dvec3(mesh.positions[mesh.indices[i + 2]]));
+    return sum / 6.0;
+}
+
+}  // namespace
+
+TEST(doubled_faces, a_sheet_that_is_modelled_from_both_sides_has_no_line_at_its_folds)
+{
+    for (const bool with_own_vertices : {false, true}) {
+        const hw::Surface surface = hw::build_surface(doubled(folded_sheet(), with_own_vertices));
+        EXPECT_EQ(surface.report.doubled_faces, 4u);
+        EXPECT_EQ(surface.report.border_edges, 6u);
+        EXPECT_EQ(surface.report.complex_edges, 0u);
+        for (const glm::dvec3& eye : kEyes) {
+            const auto lines = drawn_px(surface, eye);
+            EXPECT_EQ(lines.size(), 1u);
+            EXPECT_NEAR(lines.at(hw::LineClass::border),
+                        drawn_px(hw::build_surface(folded_sheet()), eye, false).at(hw::LineClass::border), 1e-6);
+        }
+    }
+}
+
+TEST(doubled_faces, a_closed_ball_and_a_cup_show_the_lines_of_the_single_two_sided_one)
+{
+    for (const hw::MeshData& mesh : {sphere(16, 12), cup(), torus(20, 10), box({-1, -1, -1}, {1, 1, 1})})
+        for (const bool with_own_vertices : {false, true}) {
+            const hw::Surface both = hw::build_surface(doubled(mesh, with_own_vertices));
+            const hw::Surface single = hw::build_surface(mesh, {.is_solid = false});
+            EXPECT_EQ(both.report.doubled_faces, mesh.triangle_count() - single.report.removed_faces);
+            EXPECT_EQ(both.report.flipped_faces, 0u);
+            for (const glm::dvec3& eye : kEyes) {
+                const auto of_both = drawn_px(both, eye), of_single = drawn_px(single, eye, false);
+                ASSERT_EQ(of_both.size(), of_single.size());
+                for (const auto& [line_class, length] : of_single) EXPECT_NEAR(of_both.at(line_class), length, 1e-6);
+            }
+        }
+}
+
+TEST(doubled_faces, the_order_and_the_winding_of_the_copies_change_nothing)
+{
+    std::mt19937 random(12);
+    hw::MeshData mesh = doubled(sphere(16, 12), true);
+    const double expected = all_px(drawn_px(hw::build_surface(mesh), kEyes[0]));
+    for (int trial = 0; trial < 5; ++trial) {
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+            triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
+        std::shuffle(triangles.begin(), triangles.end(), random);
+        mesh.indices.clear();
+        for (const auto& t : triangles) mesh.indices.insert(mesh.indices.end(), t.begin(), t.end());
+        EXPECT_NEAR(all_px(drawn_px(hw::build_surface(mesh), kEyes[0])), expected, 1e-6);
+    }
+}
+
+TEST(doubled_faces, a_face_that_is_there_twice_the_same_way_is_there_once)
+{
+    const hw::MeshData one = box({-1, -1, -1}, {1, 1, 1});
+    const hw::Surface surface = hw::build_surface(joined({one, one}));
+    EXPECT_EQ(surface.report.doubled_faces, 12u);
+    EXPECT_TRUE(surface.two_sided_faces.empty() || !surface.is_two_sided(0));
+    EXPECT_EQ(surface.report.reflex_rule_components, 1u);
+}
+
+TEST(t_junctions, every_edge_of_a_box_is_one_ridge_however_its_front_is_cut)
+{
+    for (const int cuts : {1, 2, 5}) {
+        for (const float off : {0.0f, 1.2e-7f, -1.2e-7f, 1e-6f}) {
+            const hw::Surface surface = hw::build_surface(box_with_t_junctions(cuts, off));
+            EXPECT_EQ(surface.report.border_edges, 0u) << cuts << " cuts, " << off;
+            EXPECT_EQ(surface.report.t_junction_edges, 4u);
+            EXPECT_EQ(surface.report.closed_components, 1u);
+            EXPECT_EQ(surface.report.reflex_rule_components, 1u);
+            for (const glm::dvec3& eye : kEyes) {
+                const auto lines = drawn_px(surface, eye);
+                const auto plain = drawn_px(hw::build_surface(box({-1, -1, -1}, {1, 1, 1})), eye);
+                ASSERT_EQ(lines.size(), 1u) << cuts << " cuts, " << off;
+                EXPECT_NEAR(lines.at(hw::LineClass::ridge), plain.at(hw::LineClass::ridge), 0.01);
+            }
+        }
+    }
+}
+
+TEST(t_junctions, borders_that_are_cut_at_different_places_on_both_sides_are_joined)
+{
+    // Two strips of a floor along z = 0: the one is cut at x = 1 and 2, the other at 1.5.
+    const hw::MeshData mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5f, 0, -1}, {1.5f, 0, 0}, {1.5f, 0, 1}},
+                                      {4, 0, 1, 4, 1, 2, 4, 2, 3, 6, 5, 0, 6, 3, 5});
+    const hw::Surface surface = hw::build_surface(mesh);
+    EXPECT_EQ(surface.report.border_edges, 4u);
+    EXPECT_EQ(surface.report.complex_edges, 0u);
+    EXPECT_EQ(surface.report.t_junction_edges, 3u);
+}
+
+TEST(t_junctions, what_is_left_of_a_border_stays_one)
+{
+    // The upper face is two long, the lower one only meets its left half.
+    const hw::MeshData mesh = mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, -1}, {1, 0, 0}, {0.5f, -1, 0}}, {0, 1, 2, 3, 0, 4});
+    const hw::Surface surface = hw::build_surface(mesh);
+    EXPECT_EQ(surface.report.t_junction_edges, 1u);
+    EXPECT_EQ(surface.report.border_edges, 5u);
+}
+
+TEST(t_junctions, a_corner_that_only_touches_a_border_joins_nothing)
+{
+    const hw::MeshData mesh = mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, -1}, {1, 0, 0}, {2, 0, 1}, {0, 0, 1}}, {0, 1, 2, 3, 5, 4});
+    EXPECT_EQ(hw::build_surface(mesh).report.t_junction_edges, 0u);
+}
+
+TEST(winding, turned_triangles_of_closed_solids_are_found_in_every_component)
+{
+    const std::vector<std::uint32_t> few{3, 7}, many{0, 2, 4, 9, 11};
+    const hw::MeshData two =
+        joined({with_turned(box({-1, -1, -1}, {1, 1, 1}), few), with_turned(box({3, 0, 0}, {4, 1, 1}), many)});
+    const std::vector<std::uint32_t> expected{3, 7, 12, 14, 16, 21, 23};
+    EXPECT_EQ(hw::wrongly_wound_triangles(two), expected);
+    hw::MeshData repaired = two;
+    hw::turn_over(repaired, expected);
+    EXPECT_NEAR(volume(repaired), 9.0, 1e-6);
+    EXPECT_TRUE(hw::wrongly_wound_triangles(repaired).empty());
+}
+
+TEST(winding, of_two_equal_halves_the_solid_is_kept)
+{
+    const std::vector<std::uint32_t> half{0, 1, 2, 3, 4, 5};
+    hw::MeshData mesh = with_turned(box({-1, -1, -1}, {1, 1, 1}), half);
+    hw::turn_over(mesh, hw::wrongly_wound_triangles(mesh));
+    EXPECT_NEAR(volume(mesh), 8.0, 1e-6);
+}
+
+TEST(winding, a_room_is_left_as_it_is)
+{
+    EXPECT_TRUE(hw::wrongly_wound_triangles(turned_over(box({-1, -1, -1}, {1, 1, 1}))).empty());
+}
+
+TEST(winding, a_normal_that_looked_to_the_back_turns_with_its_triangle)
+{
+    const std::vector<std::uint32_t> one{4};
+    const hw::MeshData flat = flat_shaded(with_turned(box({-1, -1, -1}, {1, 1, 1}), one));
+    hw::MeshData mesh = flat;
+    hw::turn_over(mesh, hw::wrongly_wound_triangles(mesh));
+    EXPECT_EQ(mesh.normals[mesh.indices[12]], -flat.normals[flat.indices[12]]);
+    EXPECT_EQ(mesh.normals[mesh.indices[0]], flat.normals[flat.indices[0]]);
+}
+
+TEST(winding, of_sheets_from_both_sides_nothing_is_turned)
+{
+    EXPECT_TRUE(hw::wrongly_wound_triangles(doubled(sphere(16, 12), true)).empty());
+    EXPECT_TRUE(hw::wrongly_wound_triangles(doubled(folded_sheet(), false)).empty());
+}
