@@ -11,7 +11,15 @@ uniform float width_px;
 // with the mean of both sides leaves floors at grazing angles without edges.
 float depth_step(float near_side, float middle, float far_side)
 {
-    return min(abs(near_side + far_side - 2.0 * middle) / max(middle, 1e-9) * depth_scale, 2.0);
+    float unit = hw_is_parallel ? 1.0 : max(middle, 1e-9);
+    return min(abs(near_side + far_side - 2.0 * middle) / unit * depth_scale, 2.0);
+}
+
+// In a parallel projection depth itself is straight on planes; a step counts by its share of the picture's height.
+vec4 comparable(vec4 depth_m)
+{
+    if (hw_is_parallel) return -mix(vec4(1e6), depth_m * hw_focal_px / hw_size_px.y, greaterThan(depth_m, vec4(0.0)));
+    return 1.0 / max(depth_m, vec4(1e-3));
 }
 
 void main()
@@ -23,14 +31,14 @@ void main()
     vec4 f = texture(normal_depth, hw_v_uv + step_uv * vec2(-1.0, -1.0));
     vec4 h = texture(normal_depth, hw_v_uv + step_uv * vec2(1.0, -1.0));
     float i_n = 0.5 * (dot(a.xyz, h.xyz) + dot(c.xyz, f.xyz));
-    vec4 inverse = 1.0 / max(vec4(a.w, c.w, f.w, h.w), vec4(1e-3));
-    float middle = 1.0 / max(x.w, 1e-3);
+    vec4 inverse = comparable(vec4(a.w, c.w, f.w, h.w));
+    float middle = comparable(x.wwww).x;
 #ifdef OPERATOR_C1
     vec4 b = texture(normal_depth, hw_v_uv + step_uv * vec2(0.0, 1.0));
     vec4 d = texture(normal_depth, hw_v_uv + step_uv * vec2(-1.0, 0.0));
     vec4 e = texture(normal_depth, hw_v_uv + step_uv * vec2(1.0, 0.0));
     vec4 g = texture(normal_depth, hw_v_uv + step_uv * vec2(0.0, -1.0));
-    vec4 straight = 1.0 / max(vec4(b.w, d.w, e.w, g.w), vec4(1e-3));
+    vec4 straight = comparable(vec4(b.w, d.w, e.w, g.w));
     float sum = 0.125 * (depth_step(inverse.x, middle, inverse.w) + depth_step(inverse.y, middle, inverse.z)) +
                 0.25 * (depth_step(straight.x, middle, straight.w) + depth_step(straight.y, middle, straight.z));
     float i_z = 1.0 - sum;

@@ -81,7 +81,8 @@ void draw_faces(const Frame& frame, const FaceCall& call, const PipelineState& s
     frame.faces().draw({.program = call.program,
                         .uniforms = &call.uniforms,
                         .state = state,
-                        .features = frame.scene.light_features | (shadow != 0 ? surface_feature::kShadow : 0),
+                        .features = frame.scene.light_features | (shadow != 0 ? surface_feature::kShadow : 0) |
+                                    (frame.view.camera.is_orthographic() ? surface_feature::kParallel : 0),
                         .time_s = frame.view.camera.time_s,
                         .shadow_texture = shadow,
                         .streams = call.needs->streams,

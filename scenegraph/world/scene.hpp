@@ -89,6 +89,8 @@ struct Camera {
     glm::dvec3 eye_world{0.0};
     glm::dvec3 target_world{0.0, 0.0, -1.0};
     double fov_deg = 60.0;  ///< Vertical.
+    /// A parallel projection so high, metres; then the angle says nothing. What is behind the eye is not seen.
+    std::optional<double> orthographic_height_m;
 };
 
 /// Index into Scene::objects.

@@ -231,4 +231,26 @@ TEST_F(picture_and_drawing, by_hand_have_the_same_strokes)
     expect_alike("dashed", camera);
 }
 
+TEST_F(picture_and_drawing, in_parallel_projection_have_the_same_ink)
+{
+    add(floor_mesh(8.0f), {0, 0, 0});
+    add(box_mesh({2.0f, 2.0f, 1.0f}), {0, 0.6, 0});
+    add(box_mesh({1.0f, 3.0f, 2.4f}), {0.4, 0.9, 0.3});
+    add(sphere_mesh(0.9f, 12), {-1.2, 0.5, 0.6});
+    add(lathe_mesh(32), {2.4, 0.0, 1.2});
+    load(style_);
+    expect_alike_as_loaded("oblique", {{2.6, 2.4, 5.0}, {0, 0.7, 0}, 60.0, 7.0});
+    expect_alike_as_loaded("elevation", {{0.0, 1.0, 9.0}, {0, 1.0, 0}, 60.0, 5.0});
+    expect_alike_as_loaded("plan", {{0.2, 9.0, 0.1}, {0.2, 0.0, 0.1}, 60.0, 9.0});
+    expect_alike_as_loaded("from_afar", {{260, 240, 500.0}, {0, 0.7, 0}, 60.0, 7.0});
+}
+
+TEST_F(picture_and_drawing, of_the_hall_in_parallel_projection_have_the_same_ink)
+{
+    open(HATCHWAY_SOURCE_DIR "/content/models/hall.glb");
+    load(style_);
+    expect_alike_as_loaded("hall_parallel", {{0, 1.7, 9.6}, {0, 3, -9}, 60.0, 8.0});
+    expect_alike_as_loaded("hall_outside", {{60, 40, 50}, {8, 2, 0}, 60.0, 30.0});
+}
+
 }  // namespace hw::test

@@ -35,7 +35,7 @@ constexpr SurfaceFeatures maps_on(SurfaceFeatures uv_set)
 const std::map<std::string, SurfaceFeatures> kCombinations = {
     {"bare", 0},
     {"lit", SurfaceFeatures(8) << f::kLightCountBit | SurfaceFeatures(2) << f::kSunCountBit | f::kSpotLights |
-                f::kLightRanges | f::kShadow | f::kPresence | f::kDoubleSided},
+                f::kLightRanges | f::kParallel | f::kShadow | f::kPresence | f::kDoubleSided},
     {"textured", f::kUv0 | maps_on(1) | f::kAlphaMask | SurfaceFeatures(2) << f::kLightCountBit},
     {"second_uv", f::kUv0 | f::kUv1 | f::kTangents | f::kColours | maps_on(2) | f::kAlphaBlend | f::kDoubleSided},
     {"baked", f::kUv0 | SurfaceFeatures(1) << f::kLightmapBit | SurfaceFeatures(2) << f::kLightCountBit |

@@ -27,7 +27,7 @@ ExactLines::ExactLines(const std::filesystem::path& file, const NamedStyle& styl
 std::vector<CameraPlace> ExactLines::cameras(int count, double aspect) const
 {
     std::vector<CameraPlace> places;
-    const auto add = [&](const Camera& c) { places.push_back({c.eye_world, c.target_world, c.fov_deg}); };
+    const auto add = [&](const Camera& c) { places.push_back(camera_place(c)); };
     for (const Camera& camera : level_.cameras)
         if (static_cast<int>(places.size()) < count) add(camera);
     if (!places.empty()) return places;

@@ -94,7 +94,11 @@ JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& le
         lines.push(std::move(json));
     }
     JsonValue json = JsonValue::object();
-    json.set("width", camera.size_px.x).set("height", camera.size_px.y).set("vfov_deg", camera.fov_rad / kRadians);
+    json.set("width", camera.size_px.x).set("height", camera.size_px.y);
+    if (camera.orthographic_height_m)
+        json.set("orthographic_height_m", *camera.orthographic_height_m);
+    else
+        json.set("vfov_deg", camera.fov_rad / kRadians);
     json.set("eye", exact_vector(camera.eye_world)).set("target", exact_vector(camera.target_world));
     return json.set("mode", mode).set("lines", std::move(lines));
 }
@@ -142,9 +146,7 @@ void add_picture_arguments(CommandLine command, LinesArguments& arguments)
     command.add_option("--camera", arguments.shot.camera, "A camera of the level or the model").option_text("NAME");
     command.add_option("--eye", arguments.shot.eye, "Where to look from, metres, y up").option_text("X,Y,Z");
     command.add_option("--target", arguments.shot.target, "What to look at").option_text("X,Y,Z");
-    command.add_option("--fov-deg", arguments.shot.fov_deg, "Vertical field of view")
-        .option_text("F")
-        .check(number_in(1.0, 170.0));
+    add_projection_arguments(command, arguments.shot.fov_deg, arguments.shot.ortho_m);
     command.add_option("--size", arguments.size, "Size of the drawing in pixels, 1280x720").option_text("WxH");
     command.add_option("--out", arguments.out, "The drawing").required().option_text("FILE.svg|FILE.pdf");
 }

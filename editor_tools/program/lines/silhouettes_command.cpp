@@ -20,6 +20,7 @@ namespace {
 struct SilhouetteArguments {
     std::filesystem::path file;
     std::string eye;
+    std::string direction;
     std::string method = "auto";
     double crease_deg = 40.0;
     std::filesystem::path json;
@@ -54,7 +55,7 @@ JsonValue edge_json(const Surface& surface, std::uint32_t edge, const glm::dmat4
 struct ObjectSearch {
     const Surface& surface;
     glm::dmat4 world_from_object;
-    glm::dvec3 eye_world;
+    Viewpoint viewpoint_world;
     SilhouetteOptions options;
     bool is_all;  ///< Not only among candidates.
 };
@@ -67,7 +68,7 @@ SilhouetteMethod method_named(const std::string& name)
 
 void add_object(const ObjectSearch& search, SilhouetteScratch& scratch, SilhouetteResult& result)
 {
-    const auto& [surface, world_from_object, eye_world, options, is_all] = search;
+    const auto& [surface, world_from_object, viewpoint_world, options, is_all] = search;
     const EdgeClasses classes = classes_at(surface, options.crease_rad);
     result.faces += surface.faces.size();
     result.edges += surface.edges.size();
@@ -76,7 +77,7 @@ void add_object(const ObjectSearch& search, SilhouetteScratch& scratch, Silhouet
     result.silent += classes.silent.size();
     result.borders += classes.borders.size();
 
-    const Viewpoint viewpoint = in_object({eye_world, false}, world_from_object);
+    const Viewpoint viewpoint = in_object(viewpoint_world, world_from_object);
     const auto find = is_all ? all_silhouettes : drawn_contours;
     for (const std::uint32_t edge : find(surface, viewpoint, options, scratch)) {
         result.silhouettes.push(edge_json(surface, edge, world_from_object));
@@ -93,7 +94,7 @@ JsonValue exact_vector(const glm::dvec3& v)
     return JsonValue::array().push(JsonValue::exact(v.x)).push(JsonValue::exact(v.y)).push(JsonValue::exact(v.z));
 }
 
-JsonValue mesh_json(const Scene& scene, ObjectId id, const Surface& surface, const glm::dvec3& eye_world)
+JsonValue mesh_json(const Scene& scene, ObjectId id, const Surface& surface, const Viewpoint& viewpoint_world)
 {
     JsonValue positions = JsonValue::array();
     for (const glm::vec3& position : surface.positions) positions.push(exact_vector(glm::dvec3(position)));
@@ -105,7 +106,8 @@ JsonValue mesh_json(const Scene& scene, ObjectId id, const Surface& surface, con
 
     JsonValue json = JsonValue::object();
     json.set("object", id).set("node", scene.nodes[scene.objects[id].node].path);
-    json.set("eye_object", exact_vector(in_object({eye_world, false}, scene.world_from_object(id)).eye));
+    json.set(viewpoint_world.is_orthographic ? "to_viewer_object" : "eye_object",
+             exact_vector(in_object(viewpoint_world, scene.world_from_object(id)).eye));
     json.set("world_from_object", std::move(matrix));
     json.set("positions", std::move(positions)).set("faces", std::move(faces));
     return json;
@@ -120,9 +122,22 @@ JsonValue result_json(const SilhouetteResult& result)
     return json;
 }
 
+/// An eye, or a direction of sight for a parallel projection: facing is decided by it alone.
+Viewpoint viewpoint_of(const SilhouetteArguments& arguments)
+{
+    if (arguments.eye.empty() == arguments.direction.empty())
+        throw Error({.what = arguments.eye.empty() ? "neither --eye nor --direction" : "both --eye and --direction",
+                     .expected = "one of them"});
+    if (!arguments.eye.empty()) return {parse_vector(arguments.eye, "--eye"), false};
+    const glm::dvec3 direction = parse_vector(arguments.direction, "--direction");
+    if (direction == glm::dvec3(0.0))
+        throw Error({.what = "--direction " + arguments.direction, .expected = "a vector with a length"});
+    return {-direction, true};
+}
+
 void find_silhouettes(const SilhouetteArguments& arguments)
 {
-    const glm::dvec3 eye_world = parse_vector(arguments.eye, "--eye");
+    const Viewpoint viewpoint_world = viewpoint_of(arguments);
     if (!(arguments.crease_deg > 0.0 && arguments.crease_deg <= 180.0))
         throw Error({.what = fmt::format("--crease-deg {}", arguments.crease_deg), .expected = "above 0, at most 180"});
     const std::vector<OutputFile> outputs{{"--json", arguments.json}, {"--dump-mesh", arguments.dump_mesh}};
@@ -142,8 +157,8 @@ void find_silhouettes(const SilhouetteArguments& arguments)
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const Surface& surface = surfaces.of(id);
         const bool is_all = arguments.method != "candidates";
-        add_object({surface, scene.world_from_object(id), eye_world, options, is_all}, scratch, result);
-        if (!arguments.dump_mesh.empty()) meshes.push(mesh_json(scene, id, surface, eye_world));
+        add_object({surface, scene.world_from_object(id), viewpoint_world, options, is_all}, scratch, result);
+        if (!arguments.dump_mesh.empty()) meshes.push(mesh_json(scene, id, surface, viewpoint_world));
     }
     if (!arguments.json.empty()) write_json(arguments.json, result_json(result));
     if (!arguments.dump_mesh.empty())
@@ -163,7 +178,11 @@ void add_silhouettes_command(CommandLine app)
     CommandLine command =
         app.add_subcommand("silhouettes", "Finds the silhouette edges of a model as seen from an eye");
     command.add_option("level", arguments->file, "A bare model or a level").required().option_text("MODEL|LEVEL");
-    command.add_option("--eye", arguments->eye, "The eye, world space, metres").required().option_text("X,Y,Z");
+    command.add_option("--eye", arguments->eye, "The eye, world space, metres").option_text("X,Y,Z");
+    command
+        .add_option("--direction", arguments->direction,
+                    "In place of an eye: the direction of sight of a parallel projection")
+        .option_text("X,Y,Z");
     command
         .add_option("--method", arguments->method,
                     "brute (all edges), candidates (only edges that can be a contour), hierarchy (only clusters of "

@@ -17,14 +17,17 @@ namespace {
 
 constexpr double kDefaultFovDeg = 60.0;
 
-CameraPlace place_of(const Camera& camera)
+/// What the command line says of the projection goes before what the camera says.
+void project(CameraPlace& camera, const ShotArguments& arguments)
 {
-    return {camera.eye_world, camera.target_world, camera.fov_deg};
+    if (arguments.fov_deg) camera.fov_deg = *arguments.fov_deg;
+    if (arguments.fov_deg) camera.orthographic_height_m.reset();
+    if (arguments.ortho_m) camera.orthographic_height_m = arguments.ortho_m;
 }
 
 CameraPlace named_camera(const std::string& name, const Level& level, const Scene& scene)
 {
-    return place_of(camera_named(name, level, scene, "--eye and --target: this level has no cameras"));
+    return camera_place(camera_named(name, level, scene, "--eye and --target: this level has no cameras"));
 }
 
 CameraPath named_path(const std::string& name, const Level& level, const Scene& scene, double aspect)
@@ -50,22 +53,28 @@ std::vector<Shot> shots_along(const CameraPath& path, const ShotArguments& argum
     for (int frame = 0; frame < count; ++frame) {
         const double even_s = first_s + (count > 1 ? span_s * frame / (count - 1) : 0.0);
         const double time_s = arguments.frames ? even_s : path_frame_time(path, frame);
-        shots.push_back({place_of(camera_at(path, time_s)), time_s});
-        if (arguments.fov_deg) shots.back().camera.fov_deg = *arguments.fov_deg;
+        shots.push_back({camera_place(camera_at(path, time_s)), time_s});
+        project(shots.back().camera, arguments);
     }
     return shots;
 }
 
 }  // namespace
 
+void add_projection_arguments(CommandLine command, std::optional<double>& fov_deg, std::optional<double>& ortho_m)
+{
+    command.add_option("--fov-deg", fov_deg, "Vertical field of view").option_text("F").check(number_in(1.0, 170.0));
+    command.add_option("--ortho", ortho_m, "A parallel projection, so many metres high, in place of --fov-deg")
+        .option_text("HEIGHT_M")
+        .check(number_in(1e-6, 1e9));
+}
+
 void add_shot_arguments(CommandLine command, ShotArguments& arguments)
 {
     command.add_option("--camera", arguments.camera, "A camera of the level or the model").option_text("NAME");
     command.add_option("--eye", arguments.eye, "Where to look from, metres, y up").option_text("X,Y,Z");
     command.add_option("--target", arguments.target, "What to look at").option_text("X,Y,Z");
-    command.add_option("--fov-deg", arguments.fov_deg, "Vertical field of view")
-        .option_text("F")
-        .check(number_in(1.0, 170.0));
+    add_projection_arguments(command, arguments.fov_deg, arguments.ortho_m);
     command.add_option("--path", arguments.path, "A camera path of the level, or turntable").option_text("NAME");
     command.add_option("--frames", arguments.frames, "That many pictures, spread evenly over the path")
         .option_text("N")
@@ -77,6 +86,8 @@ void add_shot_arguments(CommandLine command, ShotArguments& arguments)
 
 void check_shot_arguments(const ShotArguments& arguments)
 {
+    if (arguments.fov_deg && arguments.ortho_m)
+        throw Error({.what = "both --fov-deg and --ortho", .expected = "one of them"});
     const int ways = !arguments.camera.empty() + !arguments.eye.empty() + !arguments.path.empty();
     if (ways > 1)
         throw Error({.what = "more than one of --camera, --eye and --path", .expected = "one of them, or none"});
@@ -97,10 +108,10 @@ std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, c
         shot.camera = named_camera(arguments.camera, level, scene);
     else if (!arguments.eye.empty())
         shot.camera = {parse_vector(arguments.eye, "--eye"), parse_vector(arguments.target, "--target"),
-                       kDefaultFovDeg};
+                       kDefaultFovDeg, {}};
     else
         shot.camera = whole_scene_camera(scene, aspect);
-    if (arguments.fov_deg) shot.camera.fov_deg = *arguments.fov_deg;
+    project(shot.camera, arguments);
     return {shot};
 }
 

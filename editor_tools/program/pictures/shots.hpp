@@ -16,6 +16,7 @@ struct ShotArguments {
     std::string eye;
     std::string target;
     std::optional<double> fov_deg;
+    std::optional<double> ortho_m;
     std::string path;
     std::optional<int> frames;
     double time_s = 0.0;
@@ -30,6 +31,9 @@ struct Shot {
 /// The paths that every level has: its own of that name, else once around the scene.
 inline constexpr const char* kTour = "tour";
 inline constexpr const char* kTurntable = "turntable";
+
+/// --fov-deg and --ortho.
+void add_projection_arguments(CommandLine command, std::optional<double>& fov_deg, std::optional<double>& ortho_m);
 
 void add_shot_arguments(CommandLine command, ShotArguments& arguments);
 

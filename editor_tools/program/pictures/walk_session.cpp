@@ -64,8 +64,10 @@ bool wants_to_move(const PlayerInput& input)
 std::string camera_arguments(const Camera& camera)
 {
     const auto text = [](const glm::dvec3& p) { return fmt::format("{:.4f},{:.4f},{:.4f}", p.x, p.y, p.z); };
-    return fmt::format("--eye {} --target {} --fov-deg {:.4g}", text(camera.eye_world), text(camera.target_world),
-                       camera.fov_deg);
+    const std::string projection = camera.orthographic_height_m
+                                       ? fmt::format("--ortho {:.6g}", *camera.orthographic_height_m)
+                                       : fmt::format("--fov-deg {:.4g}", camera.fov_deg);
+    return fmt::format("--eye {} --target {} {}", text(camera.eye_world), text(camera.target_world), projection);
 }
 
 }  // namespace
@@ -127,6 +129,7 @@ void WalkSession::place(const Camera& camera)
 {
     player_ = placed_at(camera, body_, collision());
     fov_deg_ = camera.fov_deg;
+    parallel_ = camera.orthographic_height_m ? std::optional(camera) : std::nullopt;
     playing_.reset();
 }
 
@@ -168,6 +171,10 @@ void WalkSession::take_input(double seconds)
     for (const CommandCall& call : controls.commands) obey(call);
     follow_hidden();
     if (playing_ && wants_to_move(controls.player)) place(camera());
+    if (parallel_ && wants_to_move(controls.player)) {
+        parallel_.reset();
+        tell("Walking shows perspective: the camera's parallel view is left");
+    }
     if (!playing_) move(controls.player, seconds);
     if (playing_ && now_s() - playing_->since_s > playing_->path.keys.back().t_s - playing_->path.keys.front().t_s)
         place(camera());
@@ -346,7 +353,8 @@ double WalkSession::now_s() const
 
 Camera WalkSession::camera() const
 {
-    return playing_ ? camera_at(playing_->path, view_time_s()) : camera_of(player_, body_, fov_deg_);
+    if (playing_) return camera_at(playing_->path, view_time_s());
+    return parallel_ ? *parallel_ : camera_of(player_, body_, fov_deg_);
 }
 
 double WalkSession::view_time_s() const
@@ -358,7 +366,7 @@ View WalkSession::view(glm::ivec2 size_px, float px_scale) const
 {
     const Camera now = camera();
     View view =
-        camera_view({now.eye_world, now.target_world, now.fov_deg}, size_px, stage_->scene().bounds_world, px_scale);
+        camera_view(camera_place(now), size_px, stage_->scene().bounds_world, px_scale);
     view.time_s = view_time_s();
     return view;
 }

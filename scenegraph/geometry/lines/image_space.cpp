@@ -18,12 +18,21 @@ void append_if_seen(const std::array<ImagePoint, 3>& corners, const ImageTriangl
 }  // namespace
 
 ImageSpace::ImageSpace(const LineCamera& camera)
-    : eye_world_(camera.eye_world),
+    : origin_world_(camera.eye_world),
+      viewpoint_{camera.eye_world, false},
+      is_parallel_(camera.orthographic_height_m.has_value()),
       centre_(0.5 * glm::dvec2(camera.size_px)),
-      focal_px_(centre_.y / std::tan(0.5 * camera.fov_rad)),
+      focal_px_(is_parallel_ ? 2.0 * centre_.y / *camera.orthographic_height_m
+                             : centre_.y / std::tan(0.5 * camera.fov_rad)),
       near_m_(camera.near_m)
 {
     const glm::dvec3 forward = glm::normalize(camera.target_world - camera.eye_world);
+    if (is_parallel_) {
+        viewpoint_ = {camera.eye_world - camera.target_world, true};
+        origin_world_ += camera.near_m * forward;
+        depth_m_ = camera.far_m - camera.near_m;
+        near_m_ = 0.0;
+    }
     const bool is_vertical = std::abs(forward.y) > 0.999999;
     const glm::dvec3 up_world =
         is_vertical ? glm::dvec3(0.0, 0.0, forward.y > 0.0 ? 1.0 : -1.0) : glm::dvec3(0.0, 1.0, 0.0);
@@ -32,8 +41,8 @@ ImageSpace::ImageSpace(const LineCamera& camera)
     for (int axis = 0; axis < 3; ++axis) {
         view_from_world_[axis] = glm::dvec4(right[axis], up[axis], forward[axis], 0.0);
     }
-    view_from_world_[3] = glm::dvec4(-glm::dot(right, camera.eye_world), -glm::dot(up, camera.eye_world),
-                                     -glm::dot(forward, camera.eye_world), 1.0);
+    view_from_world_[3] = glm::dvec4(-glm::dot(right, origin_world_), -glm::dot(up, origin_world_),
+                                     -glm::dot(forward, origin_world_), 1.0);
 }
 
 std::optional<ImageSpace::Clipped> ImageSpace::clipped(const glm::dvec3& from, const glm::dvec3& to) const

@@ -10,12 +10,14 @@
 #include <span>
 #include <vector>
 
+#include "hatchway/geometry/exact/viewpoint.hpp"
 #include "hatchway/geometry/lines/visible_lines.hpp"
 
 namespace hw {
 
-/// The space in which hidden lines are removed: x and y in pixels, z = 1 / depth, larger is nearer. Lines and planes of
-/// the world are lines and planes here.
+/// The space in which hidden lines are removed: x and y in pixels, z = 1 / depth, larger is nearer; of a parallel
+/// projection z falls from 2 at the near plane to 1 at the far one. Lines and planes of the world are lines and planes
+/// here.
 using ImagePoint = glm::dvec3;
 
 /// A camera as a map into image space.
@@ -23,24 +25,41 @@ class ImageSpace {
  public:
     explicit ImageSpace(const LineCamera& camera);
 
-    /// Right, up, depth from the eye; metres.
+    bool is_parallel() const { return is_parallel_; }
+    /// The eye as facing is decided by it.
+    Viewpoint viewpoint() const { return viewpoint_; }
+    /// Right, up, depth from the origin; metres.
     glm::dmat4 view_from_world() const { return view_from_world_; }
+    /// The eye; of a parallel projection the point of its axis at the near plane.
+    glm::dvec3 origin_world() const { return origin_world_; }
     ImagePoint project(const glm::dvec3& view) const
     {
+        if (is_parallel_)
+            return {centre_.x + focal_px_ * view.x, centre_.y - focal_px_ * view.y, 2.0 - view.z / depth_m_};
         const double inverse = 1.0 / view.z;
         return {centre_.x + focal_px_ * view.x * inverse, centre_.y - focal_px_ * view.y * inverse, inverse};
     }
     /// The place in the world of a point of the picture.
     glm::dvec3 world_of(const ImagePoint& point) const
     {
-        const double depth = 1.0 / point.z;
-        const glm::dvec3 view((point.x - centre_.x) * depth / focal_px_, (centre_.y - point.y) * depth / focal_px_,
-                              depth);
-        return eye_world_ + glm::transpose(glm::dmat3(view_from_world_)) * view;
+        const double depth = is_parallel_ ? (2.0 - point.z) * depth_m_ : 1.0 / point.z;
+        const double m_per_px = (is_parallel_ ? 1.0 : depth) / focal_px_;
+        const glm::dvec3 view((point.x - centre_.x) * m_per_px, (centre_.y - point.y) * m_per_px, depth);
+        return origin_world_ + glm::transpose(glm::dmat3(view_from_world_)) * view;
     }
+    /// Along the view from the origin.
     double near_m() const { return near_m_; }
     glm::dvec2 size_px() const { return 2.0 * centre_; }
+    /// Pixels of a metre at a depth of one metre; of a parallel projection at every depth.
     double focal_px() const { return focal_px_; }
+    double px_per_m(const ImagePoint& point) const { return is_parallel_ ? focal_px_ : focal_px_ * point.z; }
+    /// Half of what the picture shows at this depth, metres.
+    glm::dvec2 half_m(double depth) const { return (is_parallel_ ? 1.0 : depth) / focal_px_ * centre_; }
+    /// What a place in the picture is known relative to, pixels.
+    double reach_px() const
+    {
+        return focal_px_ * (is_parallel_ ? depth_m_ : 1.0) + 2.0 * (centre_.x + centre_.y);
+    }
 
     /// The part of a view-space segment before the near plane, or nothing.
     struct Clipped {
@@ -53,7 +72,10 @@ class ImageSpace {
 
  private:
     glm::dmat4 view_from_world_{1.0};
-    glm::dvec3 eye_world_{0.0};
+    glm::dvec3 origin_world_{0.0};
+    Viewpoint viewpoint_;
+    bool is_parallel_ = false;
+    double depth_m_ = 1.0;  ///< Of a parallel projection, from the near plane to the far one.
     glm::dvec2 centre_{0.0};
     double focal_px_ = 1.0;
     double near_m_ = 0.01;

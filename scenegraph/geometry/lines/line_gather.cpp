@@ -19,7 +19,7 @@ constexpr std::size_t kPositionsPerTask = 4096;
 /// that have a bit in common span nothing that is in the picture.
 unsigned sides_outside(const glm::dvec3& view, const ImageSpace& space)
 {
-    const glm::dvec2 half = 0.5 * space.size_px() / space.focal_px() * view.z;
+    const glm::dvec2 half = space.half_m(view.z);
     return (view.z < space.near_m() ? 1u : 0u) | (view.x < -half.x ? 2u : 0u) | (view.x > half.x ? 4u : 0u) |
            (view.y < -half.y ? 8u : 0u) | (view.y > half.y ? 16u : 0u);
 }
@@ -32,7 +32,8 @@ void place_positions(DrawnObject& drawn, const LineObject& object, const ImageSp
     // From the difference to the eye, so that an object far from the origin loses no digits.
     const glm::dmat3 turn(view_from_object);
     const bool is_flat = !(std::abs(glm::determinant(turn)) > 0.0);
-    const glm::dvec3 eye = is_flat ? glm::dvec3(0.0) : drawn.eye_object.eye;
+    const glm::dvec3 eye =
+        is_flat ? glm::dvec3(0.0) : in_object({space.origin_world(), false}, object.world_from_object).eye;
     const glm::dvec3 origin = is_flat ? glm::dvec3(view_from_object[3]) : glm::dvec3(0.0);
     const std::size_t tasks = (drawn.view.size() + kPositionsPerTask - 1) / kPositionsPerTask;
     std::vector<unsigned> outside(tasks, ~0u);
@@ -232,14 +233,14 @@ class ObjectGathering {
     SilhouetteScratch& scratch_;
 };
 
-void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects, const LineCamera& camera,
-                       const ImageSpace& space, std::span<const IntersectionLine> intersections)
+void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects, const ImageSpace& space,
+                       std::span<const IntersectionLine> intersections)
 {
     const glm::dmat3 turn(space.view_from_world());
     for (std::uint32_t i = 0; i < intersections.size(); ++i) {
         const IntersectionLine& cut = intersections[i];
-        const auto part = part_in_picture(space, turn * (cut.ends_world[0] - camera.eye_world),
-                                          turn * (cut.ends_world[1] - camera.eye_world));
+        const auto part = part_in_picture(space, turn * (cut.ends_world[0] - space.origin_world()),
+                                          turn * (cut.ends_world[1] - space.origin_world()));
         if (!part) continue;
         const std::uint32_t owner = owner_of(cut, objects);
         DrawnLine line{.object = owner,
@@ -254,7 +255,7 @@ void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects
 }
 
 /// The objects, none of them placed yet. What is large is allocated once for all.
-LineDrawing unplaced(std::span<const LineObject> objects, const LineCamera& camera)
+LineDrawing unplaced(std::span<const LineObject> objects, const ImageSpace& space)
 {
     LineDrawing drawing;
     std::size_t positions = 0, faces = 0;
@@ -270,7 +271,7 @@ LineDrawing unplaced(std::span<const LineObject> objects, const LineCamera& came
         const std::size_t count = object.surface->positions.size(), face_count = object.surface->faces.size();
         drawing.objects.push_back(
             {.surface = object.surface,
-             .eye_object = in_object({camera.eye_world, false}, object.world_from_object),
+             .eye_object = in_object(space.viewpoint(), object.world_from_object),
              .first_face = static_cast<std::uint32_t>(first_face),
              .hides = object.hides,
              .view = std::span(drawing.view).subspan(first_position, count),
@@ -284,10 +285,10 @@ LineDrawing unplaced(std::span<const LineObject> objects, const LineCamera& came
 
 }  // namespace
 
-LineDrawing gather_lines(std::span<const LineObject> objects, const LineCamera& camera, const ImageSpace& space,
+LineDrawing gather_lines(std::span<const LineObject> objects, const ImageSpace& space,
                          const VisibleLineOptions& options)
 {
-    LineDrawing drawing = unplaced(objects, camera);
+    LineDrawing drawing = unplaced(objects, space);
     std::vector<ObjectPart> parts(objects.size());
     tbb::enumerable_thread_specific<Gathered> gathered;
     tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) {
@@ -311,7 +312,7 @@ LineDrawing gather_lines(std::span<const LineObject> objects, const LineCamera& 
         append(drawing.contours, part.from->contours, part.contours);
         append(drawing.lines, part.from->lines, part.lines);
     }
-    add_intersections(drawing, objects, camera, space, options.intersections);
+    add_intersections(drawing, objects, space, options.intersections);
     return drawing;
 }
 

@@ -50,7 +50,7 @@ struct LineDrawing {
     std::vector<DrawnLine> lines;
 };
 
-LineDrawing gather_lines(std::span<const LineObject> objects, const LineCamera& camera, const ImageSpace& space,
+LineDrawing gather_lines(std::span<const LineObject> objects, const ImageSpace& space,
                          const VisibleLineOptions& options);
 
 }  // namespace hw

@@ -121,7 +121,7 @@ double reach_of(const ImageTriangle& triangle)
 LineOccluders::LineOccluders(const LineDrawing& drawing, const ImageSpace& space)
     : drawing_(drawing),
       space_(space),
-      place_error_px_(kPlaceError * (space.focal_px() + space.size_px().x + space.size_px().y)),
+      place_error_px_(kPlaceError * space.reach_px()),
       grid_(space.size_px(), cell_px(drawing, space))
 {
 }

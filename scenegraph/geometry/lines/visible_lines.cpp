@@ -205,7 +205,7 @@ std::vector<VisibleLine> find_visible_lines(std::span<const LineObject> objects,
                                             const VisibleLineOptions& options)
 {
     const ImageSpace space(camera);
-    const HiddenLines hidden(gather_lines(objects, camera, space, options), space);
+    const HiddenLines hidden(gather_lines(objects, space, options), space);
     return joined_lines(hidden.run(), hidden, options.with_hidden);
 }
 

@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,11 @@ struct LineCamera {
     glm::dvec3 eye_world{0.0};
     glm::dvec3 target_world{0.0, 0.0, -1.0};  ///< Not the eye.
     double fov_rad = 1.0471975512;            ///< Vertical, in (0, pi).
+    /// A parallel projection so high, in place of the angle; above 0.
+    std::optional<double> orthographic_height_m = {};
     glm::ivec2 size_px{1280, 720};            ///< At least 1 x 1.
-    double near_m = 0.01;                     ///< What is closer is cut away. Above 0.
+    double near_m = 0.01;                     ///< What is closer is cut away. Above 0, or in a parallel projection 0.
+    double far_m = 1000.0;  ///< Of a parallel projection: everything is nearer; depths are told apart relative to it.
 };
 
 /// One object of a line drawing. All objects hide each other.
@@ -63,7 +67,8 @@ struct VisibleLine {
     bool is_visible = true;
     bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
     std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
-    std::vector<double> inverse_depths;  ///< Of each point: 1 / distance from the plane of the eye, 1 / m.
+    /// Of each point: 1 / distance from the plane of the eye, 1 / m. In a parallel projection 2 at near_m and 1 at far_m.
+    std::vector<double> inverse_depths;
     std::vector<LineSource> sources;     ///< Of each segment, the closing one included.
 };
 

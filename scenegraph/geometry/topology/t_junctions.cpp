@@ -164,9 +164,15 @@ class TJunctions {
 /// Puts caps on borders, as long as no edge gets more than two faces by them.
 class Caps {
  public:
-    Caps(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses) : faces_(faces)
+    /// Two-sided faces count as wound both ways.
+    Caps(std::vector<FaceCorners>& faces, std::span<const DirectedEdge> uses, const std::vector<bool>& two_sided_faces)
+        : faces_(faces)
     {
-        for (const DirectedEdge& use : uses) ++uses_[key_of(use.low, use.high)][use.is_forward];
+        for (const DirectedEdge& use : uses) {
+            auto& counts = uses_[key_of(use.low, use.high)];
+            const bool is_two_sided = !two_sided_faces.empty() && two_sided_faces[use.face];
+            for (const bool is_forward : {false, true}) counts[is_forward] += is_two_sided || use.is_forward == is_forward;
+        }
     }
 
     bool add(const Border& border, std::span<const Junction> junctions)
@@ -214,7 +220,7 @@ std::uint32_t close_t_junctions(std::span<const glm::vec3> positions, std::vecto
     TJunctions search(positions, uses, two_sided_faces, tolerance);
     const std::vector<Junction> junctions = search.find();
     if (junctions.empty()) return 0;
-    Caps caps(faces, uses);
+    Caps caps(faces, uses, two_sided_faces);
     std::uint32_t closed = 0;
     for (std::size_t begin = 0, end = 0; begin < junctions.size(); begin = end) {
         while (end < junctions.size() && junctions[end].border == junctions[begin].border) ++end;

@@ -18,7 +18,7 @@ class FolderHandle;
 
 /// Of the file's layout and of what build_visibility() makes of the same input: raised when either changes, so that old
 /// files are left aside.
-inline constexpr std::uint32_t kCompiledLevelVersion = 4;
+inline constexpr std::uint32_t kCompiledLevelVersion = 5;
 
 /// A visibility and what it was made from. The same input gives the same bytes, for any number of threads.
 struct CompiledLevel {

@@ -18,6 +18,8 @@ namespace {
 using nlohmann::json;
 
 constexpr double kWidestView_deg = 170.0;
+constexpr double kLowestParallelView_m = 1e-6;
+constexpr double kHighestParallelView_m = 1e9;
 
 /// The direction in which a node's light or camera looks, in the world.
 glm::dvec3 forward_of(const Node& node)
@@ -89,9 +91,12 @@ void add_cameras(const GltfModel& model, const NodeOrder& order, Scene& scene)
         camera.name = unused_name(node.name.empty() ? source.name : node.name, used);
         camera.eye_world = glm::dvec3(node.world_from_node[3]);
         camera.target_world = camera.eye_world + forward_of(node);
-        // An orthographic camera becomes a viewpoint with the usual angle: walking needs perspective.
+        // As high as the file says; the picture's own shape decides how wide.
         if (source.type == "perspective")
             camera.fov_deg = std::clamp(glm::degrees(source.perspective.yfov), 1.0, kWidestView_deg);
+        else
+            camera.orthographic_height_m =
+                std::clamp(2.0 * std::abs(source.orthographic.ymag), kLowestParallelView_m, kHighestParallelView_m);
         scene.cameras.push_back(camera);
     }
 }

@@ -27,10 +27,15 @@ inline constexpr LevelRange kMetres{-1e9, 1e9};
 inline constexpr LevelRange kSeconds{0.0, 1e6};
 inline constexpr LevelRange kFraction{0.0, 1.0};
 inline constexpr LevelRange kFieldOfView{1.0, 170.0};
+inline constexpr LevelRange kParallelHeight{1e-6, 1e9};
 
 /// "maps" of an assign entry: paths by kind.
 struct MapPaths {
     std::map<MapKind, std::string>& paths;
+};
+
+struct OrthographicKeys {
+    double height_m = 1.0;
 };
 
 struct HeightKeys {
@@ -51,11 +56,21 @@ void visit_keys(Visitor& v, StartPlace& place)
 }
 
 template <typename Visitor>
+void visit_keys(Visitor& v, OrthographicKeys& view)
+{
+    v.real({"height_m", "What the picture shows from bottom to top, metres.", true}, kParallelHeight, view.height_m);
+}
+
+template <typename Visitor>
 void visit_keys(Visitor& v, Camera& camera)
 {
+    OrthographicKeys parallel;
     v.point({"position", "The eye, metres, y up.", true}, camera.eye_world);
     v.point({"look_at", "A point that the eye looks at.", true}, camera.target_world);
     v.real({"fov_deg", "Vertical field of view."}, kFieldOfView, camera.fov_deg);
+    if (v.object({"orthographic", "A parallel projection, such as a plan or an elevation, in place of fov_deg."}, parallel))
+        camera.orthographic_height_m = parallel.height_m;
+    v.not_both("fov_deg", "orthographic");
 }
 
 template <typename Visitor>

@@ -214,6 +214,12 @@ void LevelReader::one_of(std::string_view first, std::string_view second) const
         refuse(pointer_to(pointer_, second), fmt::format("stands beside \"{}\"", first), expected);
 }
 
+void LevelReader::not_both(std::string_view first, std::string_view second) const
+{
+    if (has(first) && has(second))
+        refuse(pointer_to(pointer_, second), fmt::format("stands beside \"{}\"", first), "one of the two");
+}
+
 void LevelReader::params(ParamSettings& values)
 {
     is_open_ = true;

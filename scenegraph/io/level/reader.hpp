@@ -62,6 +62,8 @@ class LevelReader {
     void ignored(const LevelKey& key) { find(key); }
     /// Exactly one of two keys that have been visited.
     void one_of(std::string_view first, std::string_view second) const;
+    /// At most one of two keys that have been visited.
+    void not_both(std::string_view first, std::string_view second) const;
     void params(ParamSettings& values);
 
     template <typename T>

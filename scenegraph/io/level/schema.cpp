@@ -157,6 +157,8 @@ class SchemaWriter {
         one_of_ = {{{"required", {first}}}, {{"required", {second}}}};
     }
 
+    void not_both(std::string_view first, std::string_view second) { not_both_ = {{"required", {first, second}}}; }
+
     /// Parameters of the plugin that is named beside them; left open where another style names it.
     void params(ParamSettings&)
     {
@@ -179,6 +181,7 @@ class SchemaWriter {
         if (!required_.empty()) result["required"] = required_;
         if (!is_open_) result["additionalProperties"] = false;
         if (!one_of_.empty()) result["oneOf"] = one_of_;
+        if (!not_both_.empty()) result["not"] = not_both_;
         if (!alternatives_.empty()) result["allOf"] = alternatives_;
         return result;
     }
@@ -205,6 +208,7 @@ class SchemaWriter {
     Json properties_ = Json::object();
     Json required_ = Json::array();
     Json one_of_ = Json::array();
+    Json not_both_;
     Json alternatives_ = Json::array();
     bool is_open_ = false;
 };

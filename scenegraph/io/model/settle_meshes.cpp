@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "hatchway/geometry/topology/repaired_mesh.hpp"
+#include "hatchway/geometry/topology/sheets.hpp"
 
 namespace hw {
 namespace {
@@ -16,7 +17,17 @@ namespace {
 /// other is a float.
 constexpr double kFar = 256.0;
 
-/// Where a mesh is moved from; zero along axes where it is near enough.
+/// For each mesh whether all objects that show it show both sides of its faces.
+std::vector<char> double_sided_meshes(const Scene& scene)
+{
+    std::vector<char> result(scene.meshes.size(), 1);
+    for (const Object& object : scene.objects)
+        if (!scene.materials[object.material].is_double_sided) result[object.mesh] = 0;
+    return result;
+}
+
+/// Where a mesh is moved from; zero along axes where it is near enough. A multiple of a power of two well above its
+/// size: meshes of one site are moved alike, and strokes, which stand at such multiples, stay where they are on them.
 glm::vec3 far_origin(const MeshData& mesh)
 {
     Box box;
@@ -24,8 +35,10 @@ glm::vec3 far_origin(const MeshData& mesh)
     glm::vec3 origin(0.0f);
     if (box.is_empty()) return origin;
     const double diagonal = glm::length(box.size());
+    const double step = std::exp2(std::ceil(std::log2(std::max(8.0 * diagonal, 1e-30))));
     for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(box.centre()[axis]) > kFar * diagonal) origin[axis] = static_cast<float>(box.centre()[axis]);
+        if (std::abs(box.centre()[axis]) > kFar * diagonal)
+            origin[axis] = static_cast<float>(step * std::round(box.centre()[axis] / step));
     return origin;
 }
 
@@ -44,10 +57,12 @@ void settle_meshes(Scene& scene)
 {
     std::vector<glm::vec3> origins(scene.meshes.size());
     std::vector<std::uint32_t> turned(scene.meshes.size());
+    const std::vector<char> is_double_sided = double_sided_meshes(scene);
     tbb::parallel_for(std::size_t{0}, scene.meshes.size(), [&](std::size_t i) {
         const std::vector<std::uint32_t> triangles = wrongly_wound_triangles(scene.meshes[i]);
         turn_over(scene.meshes[i], triangles);
         turned[i] = static_cast<std::uint32_t>(triangles.size());
+        if (is_double_sided[i] != 0) turn_over(scene.meshes[i], triangles_of_turned_sheets(scene.meshes[i]));
         origins[i] = bring_near(scene.meshes[i]);
     });
     scene.turned_triangles = std::accumulate(turned.begin(), turned.end(), 0u);

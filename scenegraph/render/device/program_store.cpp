@@ -91,7 +91,7 @@ bool has_word(const std::string& text, std::string_view word)
 std::string feature_defines(SurfaceFeatures features)
 {
     namespace f = surface_feature;
-    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 15> kFlags = {{
+    static constexpr std::array<std::pair<SurfaceFeatures, const char*>, 16> kFlags = {{
         {f::kUv0, "HW_HAS_UV0"},
         {f::kUv1, "HW_HAS_UV1"},
         {f::kTangents, "HW_HAS_TANGENTS"},
@@ -104,6 +104,7 @@ std::string feature_defines(SurfaceFeatures features)
         {f::kShadow, "HW_SHADOW"},
         {f::kSpotLights, "HW_SPOT_LIGHTS"},
         {f::kLightRanges, "HW_LIGHT_RANGES"},
+        {f::kParallel, "HW_PARALLEL"},
         {f::kHatchUv, "HW_HAS_HATCH_UV"},
         {f::kDirection, "HW_HAS_DIRECTION"},
         {f::kTriangleId, "HW_HAS_TRIANGLE_ID"},

@@ -33,6 +33,7 @@ inline constexpr SurfaceFeatures kPresence = 1u << 11;
 inline constexpr SurfaceFeatures kShadow = 1u << 12;
 inline constexpr SurfaceFeatures kSpotLights = 1u << 13;
 inline constexpr SurfaceFeatures kLightRanges = 1u << 14;
+inline constexpr SurfaceFeatures kParallel = 1u << 15;
 /// Two bits each: 0 no map, 1 on uv0, 2 on uv1.
 inline constexpr int kBaseColourMapBit = 16;
 inline constexpr int kMetallicRoughnessMapBit = 18;

@@ -16,10 +16,16 @@ constexpr PipelineState kLineState{
 
 Viewpoint viewpoint_of(const View& view)
 {
-    if (!is_orthographic(view)) return {view.eye_world, false};
-    // The third row of the rotation: where the viewer is, seen from the scene.
-    const glm::mat4& m = view.view_from_world;
-    return {glm::dvec3(m[0][2], m[1][2], m[2][2]), true};
+    if (!view.is_orthographic()) return {view.eye_world, false};
+    return {view.to_viewer_world, true};
+}
+
+/// The eye, or with w 0 the direction to the viewer.
+glm::vec4 eye_object(const View& view, const VisibleObject& object)
+{
+    const glm::mat4 object_from_relative = glm::inverse(object.relative_from_object);
+    if (!view.is_orthographic()) return object_from_relative[3];
+    return object_from_relative * glm::vec4(glm::vec3(glm::normalize(view.to_viewer_world)), 0.0f);
 }
 
 float width_px(const View& view, const LineLook& look, LineClass line_class)
@@ -201,7 +207,7 @@ void LineDrawer::draw_item(const LineProgram& program, const LineFrame& frame, c
     const View& view = frame.view;
     GpuProgram::set(program.clip_from_object, item.object->clip_from_object);
     GpuProgram::set(program.relative_from_object, item.object->relative_from_object);
-    GpuProgram::set(program.eye_object, glm::vec3(glm::inverse(item.object->relative_from_object)[3]));
+    GpuProgram::set(program.eye_object, eye_object(view, *item.object));
     const float full_px = look.far.full_spacing_px * view.px_scale;
     const float window_px = look.far.is_on ? full_px / kFullSpacingInWindows : 0.0f;
     GpuProgram::set(program.fade,

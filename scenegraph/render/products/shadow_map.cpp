@@ -67,7 +67,7 @@ void ShadowMap::prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLigh
     const glm::dmat4 unit_from_clip =
         glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
     frame_.is_drawn = true;
-    frame_.shadow_from_world = glm::mat4(unit_from_clip * clip_from_world);
+    frame_.shadow_from_world = unit_from_clip * clip_from_world;
     frame_.size_px = kShadowMapSide;
     const double widest =
         std::min(glm::length(glm::dvec3(clip_from_world[0][0], clip_from_world[1][0], clip_from_world[2][0])),

@@ -23,7 +23,7 @@ float hw_sun(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
 // What of each candela of a point or spot light reaches a face with this normal: lux.
 float hw_lamp(HwSurface s, vec3 normal_world, const int i, out vec3 to_light)
 {
-    vec3 d = hw_light_position[i].xyz - s.position_world;
+    vec3 d = hw_light_position[i].xyz - s.position_local;
     float distance_squared = max(dot(d, d), 1e-4);
     float near = hw_inverse_sqrt(min(distance_squared, 1e24));
     to_light = d * near;

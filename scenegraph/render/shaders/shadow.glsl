@@ -12,8 +12,8 @@ float hw_shadow(HwSurface s)
     // Leaves the surface along its normal, further at grazing light: less acne than a bias in depth, no gap at contacts.
     float cosine = dot(s.normal_world, to_light);
     float sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-    vec3 from = s.position_world + s.normal_world * (hw_shadow_params.y * (0.6 + 1.6 * sine));
-    return texture(hw_shadow_map, (hw_shadow_from_world * vec4(from, 1.0)).xyz);
+    vec3 from = s.position_local + s.normal_world * (hw_shadow_params.y * (0.6 + 1.6 * sine));
+    return texture(hw_shadow_map, (hw_shadow_from_local * vec4(from, 1.0)).xyz);
 #else
     return 1.0;
 #endif

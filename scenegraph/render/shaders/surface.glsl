@@ -21,6 +21,7 @@
 //   HW_LIGHTMAP                                                    the object has baked light (baked.glsl)
 //   HW_LIGHT_COUNT n HW_SUN_COUNT n                                always: lights of the scene, 0 to 8; suns are the first
 //   HW_SPOT_LIGHTS HW_LIGHT_RANGES                                 some light has a cone, or a range
+//   HW_PARALLEL                                                    the view is a parallel projection
 #include "frame.glsl"
 #include "fast_math.glsl"
 #include "presence.glsl"
@@ -106,6 +107,7 @@ uniform vec4 hw_image_info;      // x map widths per metre, y height / width, z 
 
 struct HwSurface {
     vec3 position_world;
+    vec3 position_local;  // the same from an origin near the eye: what lights and shadows go by, far from the world's origin
     vec3 position_object;
     vec3 normal_world;    // unit, interpolated; looks towards the eye when the material is double-sided
     vec3 normal_object;   // unit
@@ -121,7 +123,7 @@ struct HwSurface {
     vec3 direction_world;  // unit, along the surface where u of hatch_uv rises; 0 where the style asks for none
     vec4 colour;          // of the vertex, linear; 1 where the mesh has none
     vec3 to_eye_world;    // unit
-    float distance_m;     // from the eye
+    float distance_m;     // from the eye; in a parallel projection along the view
     uint object_id;       // of the object, from 1 on: what the image object_ids holds
     uint triangle_id;     // through all objects, from 1 on, as in triangle_ids; 0 unless the style asks for it
 };
@@ -141,14 +143,20 @@ HwSurface hw_surface()
     HwSurface s;
     s.position_object = hw_v_position_object;
     s.position_world = hw_v_position_relative + hw_eye_world;
+    s.position_local = hw_v_position_relative + hw_eye_local.xyz;
+#ifdef HW_PARALLEL
+    s.distance_m = -dot(hw_v_position_relative, hw_to_viewer.xyz);
+    s.to_eye_world = hw_to_viewer.xyz;
+#else
     s.distance_m = length(hw_v_position_relative);
+    s.to_eye_world = -hw_v_position_relative / max(s.distance_m, 1e-20);
+#endif
     s.object_id = uint(hw_object_id);
 #ifdef HW_HAS_TRIANGLE_ID
     s.triangle_id = hw_v_triangle_id;
 #else
     s.triangle_id = 0u;
 #endif
-    s.to_eye_world = -hw_v_position_relative / max(s.distance_m, 1e-20);
     float side = 1.0;
 #ifdef HW_DOUBLE_SIDED
     side = gl_FrontFacing ? 1.0 : -1.0;
@@ -156,7 +164,11 @@ HwSurface hw_surface()
     s.normal_world = side * normalize(hw_v_normal_world);
     s.normal_object = normalize(hw_v_normal_object);
     vec3 face = cross(dFdx(hw_v_position_relative), dFdy(hw_v_position_relative));
+#ifdef HW_PARALLEL
+    s.face_normal_world = normalize(dot(face, hw_to_viewer.xyz) < 0.0 ? -face : face);
+#else
     s.face_normal_world = normalize(dot(face, hw_v_position_relative) > 0.0 ? -face : face);
+#endif
 #ifdef HW_HAS_COLOURS
     s.colour = hw_v_colour;
 #else

@@ -40,7 +40,7 @@ SceneLight choose_lights(std::span<const Light> lights, const Box& bounds_world)
 /// The main light's shadow map, when there is one.
 struct ShadowFrame {
     bool is_drawn = false;
-    glm::mat4 shadow_from_world{1.0f};
+    glm::dmat4 shadow_from_world{1.0};
     float size_px = 1.0f;
     float texel_m = 0.0f;
 };
@@ -50,9 +50,9 @@ void stream_frame_block(GpuBuffer& block, const View& view, const SceneLight& li
 
 glm::vec3 linear_from_srgb(const glm::vec3& srgb);
 
-/// Pixels that a thing of unit slope spans: half the picture's height over the tangent of half the field of view.
+/// Pixels that a thing of unit slope spans: half the picture's height over the tangent of half the field of view. In a
+/// parallel projection the pixels of a metre.
 float focal_px(const View& view);
-bool is_orthographic(const View& view);
 /// Distances of the near and far plane, read from the projection.
 glm::vec2 depth_range(const View& view);
 

@@ -38,13 +38,20 @@ double distance_to(const Box& box, const glm::dvec3& eye)
     return glm::length(glm::max(glm::max(box.min - eye, eye - box.max), glm::dvec3(0.0)));
 }
 
-/// Radius of the sphere about the eye that holds the near plane's corners.
+/// The order of drawing: from the eye, or in a parallel projection along the view.
+double drawing_distance(const Box& box, const View& view)
+{
+    if (!view.is_orthographic()) return distance_to(box, view.eye_world);
+    const glm::dvec3 forward = -glm::normalize(view.to_viewer_world);
+    return glm::dot(box.centre() - view.eye_world, forward) - 0.5 * glm::dot(glm::abs(forward), box.size());
+}
+
+/// Radius of the sphere about the eye that holds the near plane's corners; of a perspective.
 double near_radius(const View& view)
 {
     const double near_plane = depth_range(view).x;
     const double x = 1.0 / view.clip_from_view[0][0];
     const double y = 1.0 / view.clip_from_view[1][1];
-    if (is_orthographic(view)) return std::sqrt(x * x + y * y + near_plane * near_plane);
     return near_plane * std::sqrt(1.0 + x * x + y * y);
 }
 
@@ -89,7 +96,7 @@ VisibleObject place_object(const Scene& scene, ObjectId object, const View& view
     // Of a matrix that flattens there is no inverse; any finite normals do.
     item.normal_from_object =
         determinant == 0.0 ? glm::mat3(relative) : glm::mat3(glm::inverseTranspose(glm::dmat3(world_from_object)));
-    item.distance_m = distance_to(scene.objects[object].bounds_world, view.eye_world);
+    item.distance_m = drawing_distance(scene.objects[object].bounds_world, view);
     return item;
 }
 
@@ -98,16 +105,18 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
     result = {};
     const Scene& scene = *query.scene;
     std::vector<std::uint8_t> seen;
-    if (query.visibility != nullptr) {
-        visible_chunks(*query.visibility, view.eye_world, near_radius(view), seen);
-        result.leaves_visible = visible_leaf_count(*query.visibility, view.eye_world, near_radius(view));
+    // A parallel projection is seen from a whole plane, not from a place whose sight is known: the frustum alone decides.
+    const Visibility* const visibility = view.is_orthographic() ? nullptr : query.visibility;
+    if (visibility != nullptr) {
+        visible_chunks(*visibility, view.eye_world, near_radius(view), seen);
+        result.leaves_visible = visible_leaf_count(*visibility, view.eye_world, near_radius(view));
     }
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const int mesh = scene.objects[id].mesh;
         std::span<const std::uint8_t> seen_chunks;
-        if (query.visibility != nullptr) {
-            const std::uint32_t first = query.visibility->first_slot_of_object[id];
-            const std::uint32_t end = query.visibility->first_slot_of_object[id + 1];
+        if (visibility != nullptr) {
+            const std::uint32_t first = visibility->first_slot_of_object[id];
+            const std::uint32_t end = visibility->first_slot_of_object[id + 1];
             seen_chunks = std::span(seen).subspan(first, end - first);
             if (std::find(seen_chunks.begin(), seen_chunks.end(), 1) == seen_chunks.end()) continue;
         }

@@ -32,7 +32,7 @@ struct VisibleObject {
     float facing = 1.0f;      ///< -1 where either the transform or the view mirrors.
     float handedness = 1.0f;  ///< -1 where the transform mirrors.
     float scale = 1.0f;       ///< Metres per unit of object space, mean.
-    double distance_m = 0.0;  ///< From the eye to the object's bounds: the order of drawing.
+    double distance_m = 0.0;  ///< From the eye, or along a parallel view, to the object's bounds: the order of drawing.
     std::uint32_t first_range = 0;
     std::uint32_t range_count = 0;
 };
@@ -50,7 +50,7 @@ struct VisibilityQuery {
     const Visibility* visibility = nullptr;  ///< Null: everything.
 };
 
-/// Objects whose chunks the PVS and the frustum leave. An object's place in the order and its matrices do not depend on
+/// Objects whose chunks the PVS and the frustum leave; in a parallel projection the frustum alone. An object's place in the order and its matrices do not depend on
 /// what else is visible, so that pictures do not depend on the PVS.
 void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& result);
 

@@ -11,6 +11,7 @@
 #include "hatchway/world/light/charts.hpp"
 #include "hatchway/world/light/pack.hpp"
 #include "hatchway/world/light/scene.hpp"
+#include "hatchway/world/open_backs.hpp"
 
 namespace hw {
 namespace {
@@ -142,7 +143,8 @@ std::vector<double> densities(const Scene& scene, const std::vector<bool>& is_re
 }
 
 /// Places all objects. False: they do not fit.
-bool place_objects(const Scene& scene, const std::vector<bool>& is_receiver, std::uint64_t budget, Lightmap& lightmap)
+bool place_objects(const Scene& scene, const std::vector<bool>& is_receiver, const std::vector<bool>& open_backs,
+                   std::uint64_t budget, Lightmap& lightmap)
 {
     std::vector<glm::ivec2> sizes;
     std::vector<ObjectId> charted;
@@ -153,7 +155,7 @@ bool place_objects(const Scene& scene, const std::vector<bool>& is_receiver, std
         const LightmapLayout& layout = lightmap.layouts[object.mesh];
         if (!is_receiver[id] || layout.is_empty()) continue;
         LightmapPlace& place = lightmap.places[id];
-        place.sides = scene.materials[object.material].is_double_sided ? 2 : 1;
+        place.sides = open_backs[id] ? 2 : 1;
         if (layout.is_per_vertex) {
             vertex_luxels += scene.meshes[object.mesh].positions.size() * place.sides;
             continue;
@@ -212,13 +214,14 @@ Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t bu
                        std::span<const ObjectId> receivers)
 {
     const std::vector<bool> is_receiver = find_receivers(scene, receivers);
+    const std::vector<bool> open_backs = find_open_backs(scene);
     for (double density = luxels_per_m; density > kLeastDensity; density *= kLessDense) {
         Lightmap lightmap;
         lightmap.luxels_per_m = density;
         const std::vector<double> of_meshes = densities(scene, is_receiver, density);
         for (std::size_t i = 0; i < scene.meshes.size(); ++i)
             lightmap.layouts.push_back(of_meshes[i] > 0.0 ? lay_out(scene.meshes[i], of_meshes[i]) : LightmapLayout{});
-        if (!place_objects(scene, is_receiver, budget, lightmap)) continue;
+        if (!place_objects(scene, is_receiver, open_backs, budget, lightmap)) continue;
         if (density < luxels_per_m)
             log_info("Lightmap: " + std::to_string(density) + " luxels per metre instead of " +
                      std::to_string(luxels_per_m) +

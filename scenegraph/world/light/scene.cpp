@@ -10,6 +10,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/world/light/material.hpp"
+#include "hatchway/world/open_backs.hpp"
 
 namespace hw {
 namespace {
@@ -131,7 +132,8 @@ bool blocks_light(const Scene& scene, ObjectId id)
            !scene.nodes[object.node].is_animated;
 }
 
-LightScene::LightScene(const Scene& scene) : scene_(scene), rays_(std::make_unique<Rays>())
+LightScene::LightScene(const Scene& scene)
+    : scene_(scene), open_backs_(find_open_backs(scene)), rays_(std::make_unique<Rays>())
 {
     Box box;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
@@ -221,7 +223,7 @@ glm::vec3 LightScene::emission(const LightHit& hit) const
 
 bool LightScene::is_double_sided(ObjectId object) const
 {
-    return scene_.materials[scene_.objects[object].material].is_double_sided;
+    return open_backs_[object];
 }
 
 float LightScene::emitter_density(ObjectId object) const

@@ -47,6 +47,7 @@ class LightScene {
     /// Emission as the material states it, with its texture; zero behind a single-sided triangle.
     glm::vec3 emission(const LightHit& hit) const;
 
+    /// Light reaches the backs of its faces (find_open_backs()).
     bool is_double_sided(ObjectId object) const;
 
     std::span<const Emitter> emitters() const { return emitters_; }
@@ -60,6 +61,7 @@ class LightScene {
     void add_emitters(ObjectId object);
 
     const Scene& scene_;
+    std::vector<bool> open_backs_;  // of each object
     glm::dvec3 origin_world_{0.0};
     float clearance_m_ = 0.0f;
     std::vector<Emitter> emitters_;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "hatchway/geometry/exact/predicates.hpp"
-
 namespace hw::test {
 
 std::vector<glm::dvec3> eyes_around(const Surface& surface)
@@ -78,11 +76,7 @@ std::size_t wrong_edges_in_all_views(const Surface& surface, bool every_sign_rat
     using Arithmetic = SilhouetteOracle::Arithmetic;
     // Which faces have no plane of their own is a matter of definition; what follows from it is judged.
     std::vector<OraclePlane> given;
-    for (const auto& [face, source] : surface.filter.inherited) {
-        const auto& [a, b, c] = surface.faces[face];
-        if (!are_collinear(surface.positions[a], surface.positions[b], surface.positions[c]))
-            given.push_back({face, source});
-    }
+    for (const auto& [face, source] : surface.filter.inherited) given.push_back({face, source});
     const SilhouetteOracle oracle(surface.positions, surface.faces,
                                   every_sign_rational ? Arithmetic::rational_only : Arithmetic::filtered, given);
     SilhouetteScratch scratch;

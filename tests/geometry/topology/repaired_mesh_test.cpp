@@ -12,6 +12,8 @@
 
 #include "hatchway/geometry/lines/visible_lines.hpp"
 #include "hatchway/geometry/surface/surface.hpp"
+#include "hatchway/geometry/topology/sheets.hpp"
+#include "hatchway/geometry/topology/shell.hpp"
 #include "tests/geometry/test_meshes.hpp"
 
 namespace {
@@ -268,4 +270,33 @@ TEST(winding, of_sheets_from_both_sides_nothing_is_turned)
 {
     EXPECT_TRUE(hw::wrongly_wound_triangles(doubled(sphere(16, 12), true)).empty());
     EXPECT_TRUE(hw::wrongly_wound_triangles(doubled(folded_sheet(), false)).empty());
+}
+
+TEST(winding, what_is_closed_and_wound_alike_is_a_shell)
+{
+    const std::vector<std::uint32_t> few{3, 7};
+    EXPECT_TRUE(hw::is_shell(box({-1, -1, -1}, {1, 1, 1})));
+    EXPECT_TRUE(hw::is_shell(flat_shaded(torus(20, 10))));
+    EXPECT_TRUE(hw::is_shell(with_turned(box({-1, -1, -1}, {1, 1, 1}), few)));
+    EXPECT_TRUE(hw::is_shell(box_with_t_junctions(2, 0.0f)));
+    EXPECT_FALSE(hw::is_shell(cup()));
+    EXPECT_FALSE(hw::is_shell(joined({box({-1, -1, -1}, {1, 1, 1}), cup()})));
+    EXPECT_FALSE(hw::is_shell(doubled(sphere(16, 12), true)));
+    EXPECT_FALSE(hw::is_shell(klein_bottle(12, 12)));
+}
+
+TEST(winding, sheets_wind_the_same_way_however_they_wound)
+{
+    const hw::MeshData floor = sheet(2, [](float x, float) { return 0.1f * x; });
+    hw::MeshData up = floor, down = turned_over(floor);
+    for (hw::MeshData* mesh : {&up, &down}) hw::turn_over(*mesh, hw::triangles_of_turned_sheets(*mesh));
+    for (std::size_t i = 0; i < up.indices.size(); i += 3) {
+        const auto corner = [](const hw::MeshData& mesh, std::size_t k) { return mesh.positions[mesh.indices[k]]; };
+        const auto normal = [&](const hw::MeshData& mesh) {
+            return glm::cross(corner(mesh, i + 1) - corner(mesh, i), corner(mesh, i + 2) - corner(mesh, i));
+        };
+        EXPECT_GT(normal(up).y, 0.0f);
+        EXPECT_GT(normal(down).y, 0.0f);
+    }
+    EXPECT_TRUE(hw::triangles_of_turned_sheets(turned_over(sphere(16, 12))).empty());
 }

@@ -583,3 +583,71 @@ TEST(gltf_import, every_model_of_the_shared_data_opens)
             EXPECT_FALSE(scene.bounds_world.is_empty()) << entry.path();
         }
 }
+
+TEST(gltf_import, an_orthographic_camera_stays_one)
+{
+    ModelBuilder builder = triangle_model();
+    builder.push("cameras", {{"type", "orthographic"},
+                             {"orthographic", {{"xmag", 4}, {"ymag", 3}, {"znear", 0.1}, {"zfar", 1000}}}});
+    builder.push("cameras", {{"type", "orthographic"},
+                             {"orthographic", {{"xmag", 1}, {"ymag", -0.25}, {"znear", 0}, {"zfar", 10}}}});
+    for (int i = 0; i < 2; ++i) {
+        builder.json["nodes"].push_back({{"camera", i}, {"name", "plan"}, {"translation", {0, 5, 0}}});
+        builder.json["scenes"][0]["nodes"].push_back(i + 1);
+    }
+    const hw::Scene scene = import_model(builder);
+    ASSERT_EQ(scene.cameras.size(), 2u);
+    EXPECT_EQ(scene.cameras[0].orthographic_height_m, 6.0);
+    EXPECT_EQ(scene.cameras[1].orthographic_height_m, 0.5);
+}
+
+namespace {
+
+/// A model of one triangle whose data lies in a file of its own; the triangle's data.
+std::string model_with_buffer(const std::string& uri)
+{
+    const ModelBuilder builder = triangle_model();
+    nlohmann::json json = builder.json;
+    json["buffers"] = {{{"byteLength", builder.binary.size()}, {"uri", uri}}};
+    return json.dump();
+}
+
+}  // namespace
+
+TEST(gltf_import, a_percent_sign_that_no_two_digits_follow_stands_for_itself)
+{
+    struct Case {
+        const char* uri;
+        const char* file;
+    };
+    const Case cases[] = {{"example 10%.bin", "example 10%.bin"}, {"a%zz.bin", "a%zz.bin"}, {"a%2", "a%2"},
+                          {"%", "%"},                             {"%%41", "%A"},          {"a%20b.bin", "a b.bin"},
+                          {"100%25.bin", "100%.bin"},             {"sub%2Fx.bin", "sub/x.bin"},
+                          {"%e4.bin", "\xe4.bin"},               {"x%2.bin", "x%2.bin"},  {"50%g0", "50%g0"}};
+    for (const Case& c : cases) {
+        const TemporaryFolder folder;
+        std::filesystem::create_directory(folder.path() / "sub");
+        folder.write(c.file, triangle_model().binary);
+        const auto file = folder.write("model.gltf", model_with_buffer(c.uri));
+        EXPECT_EQ(hw::import_gltf(file, folder.path()).objects.size(), 1u) << c.uri;
+    }
+}
+
+TEST(gltf_import, a_file_that_is_missing_is_called_missing)
+{
+    for (const char* uri : {"gone.bin", "./gone.bin", "sub dir/gone%20x.bin", "gone%", "a/../gone.bin"}) {
+        const TemporaryFolder folder;
+        const auto file = folder.write("model.gltf", model_with_buffer(uri));
+        const hw::ErrorParts parts = error_of([&] { hw::import_gltf(file, folder.path()); });
+        EXPECT_NE(parts.what.find("there is no file"), std::string::npos) << parts.what;
+        EXPECT_EQ(parts.pointer, "/buffers/0/uri");
+    }
+    ModelBuilder builder = textured_quad();
+    builder.json["images"] = {{{"uri", "gone.png"}}};
+    const hw::ErrorParts parts = error_of([&] { import_model(builder); });
+    EXPECT_NE(parts.what.find("there is no file \"gone.png\""), std::string::npos) << parts.what;
+    const TemporaryFolder folder;
+    const auto outside = folder.write("model.gltf", model_with_buffer("%2e%2e/%2e%2e/gone.bin"));
+    EXPECT_NE(error_of([&] { hw::import_gltf(outside, folder.path()); }).what.find("leaves the project"),
+              std::string::npos);
+}

@@ -89,7 +89,8 @@ TEST(level_file, every_key_is_read)
              "presence": {"constant": 0.5, "height": {"from_m": 3, "to_m": 1}, "time": {"from_s": 1, "to_s": 2}}}
         ],
         "certainty_styles": [{"from": 0.5, "style": "assumed"}],
-        "cameras": {"door": {"position": [0, 1.7, 8], "look_at": [0, 1.5, 0], "fov_deg": 75}},
+        "cameras": {"door": {"position": [0, 1.7, 8], "look_at": [0, 1.5, 0], "fov_deg": 75},
+                    "plan": {"position": [0, 9, 0], "look_at": [0, 0, 0], "orthographic": {"height_m": 6}}},
         "paths": {"tour": {"fps": 30, "keys": [{"t_s": 0, "position": [0, 0, 0], "look_at": [1, 0, 0]},
                                                {"t_s": 2, "position": [1, 0, 0], "look_at": [2, 0, 0]}]}},
         "lights": [{"type": "sun", "direction": [0, -2, 0], "illuminance_lux": 50000, "colour": "#ff0000"},
@@ -125,6 +126,8 @@ TEST(level_file, every_key_is_read)
     EXPECT_EQ(level.certainty_styles.at(0).from, 0.5);
     EXPECT_EQ(level.cameras.at(0).name, "door");
     EXPECT_EQ(level.cameras.at(0).fov_deg, 75.0);
+    EXPECT_FALSE(level.cameras.at(0).orthographic_height_m);
+    EXPECT_EQ(level.cameras.at(1).orthographic_height_m, 6.0);
     EXPECT_EQ(level.paths.at(0).fps, 30.0);
     EXPECT_EQ(level.paths.at(0).keys.at(1).t_s, 2.0);
     EXPECT_EQ(level.lights.at(0).direction_world, glm::dvec3(0, -1, 0)) << "made unit";
@@ -193,6 +196,13 @@ TEST(level_file, every_wrong_value_is_named_by_its_pointer)
         {R"("assign": [{"presence": {"constant": 1}}])", "/assign/0/presence"},
         {R"("certainty_styles": [{"from": 0.5}])", "/certainty_styles/0"},
         {R"("cameras": {"a": {"position": [0, 0, 0], "look_at": [1, 0, 0], "fov_deg": 0}})", "/cameras/a/fov_deg"},
+        {R"("cameras": {"a": {"position": [0, 0, 0], "look_at": [1, 0, 0], "orthographic": {}}})",
+         "/cameras/a/orthographic"},
+        {R"("cameras": {"a": {"position": [0, 0, 0], "look_at": [1, 0, 0], "orthographic": {"height_m": 0}}})",
+         "/cameras/a/orthographic/height_m"},
+        {R"("cameras": {"a": {"position": [0, 0, 0], "look_at": [1, 0, 0], "orthographic": {"height_m": 6},
+                              "fov_deg": 60}})",
+         "/cameras/a/orthographic"},
         {R"("paths": {"a": {"keys": []}})", "/paths/a/keys"},
         {R"("paths": {"a": {"keys": [{"t_s": 1, "position": [0,0,0], "look_at": [1,0,0]},
                                      {"t_s": 1, "position": [0,0,0], "look_at": [1,0,0]}]}})",

@@ -11,6 +11,7 @@
 #include "hatchway/core/budget.hpp"
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/glob.hpp"
+#include "hatchway/world/open_backs.hpp"
 #include "hatchway/world/visibility/tree/coplanar.hpp"
 #include "hatchway/world/visibility/tree/large_planes.hpp"
 
@@ -35,7 +36,10 @@ bool mark_named(const std::string& pattern, const Scene& scene, std::uint64_t& s
 class BlockingTriangles {
  public:
     BlockingTriangles(const Scene& scene, const Level& level, const Grid& grid)
-        : scene_(scene), grid_(grid), is_named_node_(structure_nodes(scene, level))
+        : scene_(scene),
+          grid_(grid),
+          is_named_node_(structure_nodes(scene, level)),
+          open_backs_(find_open_backs(scene))
     {
     }
 
@@ -77,7 +81,7 @@ class BlockingTriangles {
         // A mirroring transform turns the winding round, and what is drawn with it.
         const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
         GridTriangle triangle;
-        triangle.is_double_sided = scene_.materials[static_cast<std::size_t>(object.material)].is_double_sided;
+        triangle.is_double_sided = open_backs_[id];
         triangle.is_named = is_named_node_[static_cast<std::size_t>(object.node)] != 0;
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -92,6 +96,7 @@ class BlockingTriangles {
     const Scene& scene_;
     const Grid& grid_;
     std::vector<char> is_named_node_;
+    std::vector<bool> open_backs_;
 };
 
 /// About `most` of them, in their order: those in large planes. The others are never held.
