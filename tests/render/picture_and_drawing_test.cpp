@@ -250,7 +250,7 @@ TEST_F(picture_and_drawing, of_the_hall_in_parallel_projection_have_the_same_ink
     open(HATCHWAY_SOURCE_DIR "/content/models/hall.glb");
     load(style_);
     expect_alike_as_loaded("hall_parallel", {{0, 1.7, 9.6}, {0, 3, -9}, 60.0, 8.0});
-    expect_alike_as_loaded("hall_outside", {{60, 40, 50}, {8, 2, 0}, 60.0, 30.0});
+    expect_alike_as_loaded("hall_outside", {{60, 40, 50}, {8, 2, 0}, 60.0, 14.0});
 }
 
 }  // namespace hw::test

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "hatchway/geometry/exact/predicates.hpp"
 #include "hatchway/geometry/lines/intersections.hpp"
 #include "hatchway/geometry/lines/line_chains.hpp"
+#include "hatchway/geometry/surface/surface_faces.hpp"
 
 namespace hw {
 namespace {
@@ -127,8 +129,17 @@ class ObjectGathering {
         return face < count ? face : object_.surface->filter.twins[face - count].face;
     }
 
-    /// A face that looks away is not there when faces are culled.
-    bool is_absent(std::uint32_t face) const { return object_.is_culled && drawn_.is_there[face] == 0; }
+    /// A face that looks away is not there when faces are culled. One that is seen edge-on, such as the ground in an
+    /// elevation, hides nothing, but its lines are there.
+    bool is_absent(std::uint32_t face) const
+    {
+        if (!object_.is_culled || drawn_.is_there[face] != 0) return false;
+        const Surface& surface = *object_.surface;
+        const std::uint32_t plane = plane_face(surface, face);
+        if (plane == kNoFace) return true;
+        const auto& [a, b, c] = surface.faces[plane];
+        return facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], drawn_.eye_object) < 0;
+    }
 
     /// Whether all faces beside an edge are absent. Complex edges have more faces than the table names.
     bool is_behind_the_scenes(std::uint32_t edge) const
