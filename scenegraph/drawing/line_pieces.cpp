@@ -97,11 +97,11 @@ double LinePieces::width_at(const Segment& segment, const ImagePoint& point) con
     const glm::dvec3 place_world = space_.world_of(point);
     // In a parallel projection nothing is far away.
     const double distance_m = space_.is_parallel() ? 0.0 : glm::distance(place_world, eye_world_);
-    PenPlace place{.line_class = segment.line_class,
-                   .fold_rad = line != nullptr ? line->fold_rad : 0.0f,
-                   .distance_m = static_cast<float>(distance_m),
-                   .px_per_m = static_cast<float>(space_.is_parallel() ? space_.focal_px()
-                                                                       : space_.focal_px() / distance_m)};
+    PenPlace place{
+        .line_class = segment.line_class,
+        .fold_rad = line != nullptr ? line->fold_rad : 0.0f,
+        .distance_m = static_cast<float>(distance_m),
+        .px_per_m = static_cast<float>(space_.is_parallel() ? space_.focal_px() : space_.focal_px() / distance_m)};
     if (segment.pen.look.far.is_on && object.crowding != nullptr) {
         place.window_m = static_cast<float>(object.crowding->window() * object.metres_per_unit);
         place.crowding = line != nullptr ? glm::mix(line->crowding[0], line->crowding[1], segment.share_at(point))
@@ -109,10 +109,10 @@ double LinePieces::width_at(const Segment& segment, const ImagePoint& point) con
         if (line != nullptr) {
             const glm::vec3 middle = 0.5f * (line->ends[0] + line->ends[1]);
             const Viewpoint viewer = space_.viewpoint();
-            const glm::vec3 eye(glm::dvec3(object.object_from_world *
-                                           glm::dvec4(viewer.eye, viewer.is_orthographic ? 0.0 : 1.0)));
-            place.inside = insideness(line->sides.normal_a, line->sides.normal_b,
-                                      viewer.is_orthographic ? eye : eye - middle);
+            const glm::vec3 eye(
+                glm::dvec3(object.object_from_world * glm::dvec4(viewer.eye, viewer.is_orthographic ? 0.0 : 1.0)));
+            place.inside =
+                insideness(line->sides.normal_a, line->sides.normal_b, viewer.is_orthographic ? eye : eye - middle);
         }
     }
     double width = line_width_px(segment.pen.look, segment.pen.crease_rad, place) * segment.pen.presence(place_world.y);

@@ -12,9 +12,7 @@ namespace {
 class LineCollector {
  public:
     explicit LineCollector(const ObjectEdges& edges)
-        : surface_(edges.surface),
-          seams_(edges.extras.seams),
-          has_sides_(edges.is_culled)
+        : surface_(edges.surface), seams_(edges.extras.seams), has_sides_(edges.is_culled)
     {
     }
 

@@ -110,7 +110,8 @@ struct Scene {
     std::string file;
     std::vector<Node> nodes;
     std::vector<MeshData> meshes;  ///< One for each glTF primitive (of triangles) that is used.
-    std::vector<glm::dmat4> places;  ///< Of objects whose mesh was brought near its origin (io/model/settle_meshes.hpp).
+    /// Of objects whose mesh was brought near its origin (io/model/settle_meshes.hpp).
+    std::vector<glm::dmat4> places;
     std::uint32_t turned_triangles = 0;  ///< Of all meshes: wound against the rest of their component in the file.
     std::vector<Material> materials;
     std::vector<Texture> textures;

@@ -54,8 +54,8 @@ TEST(settle_meshes, vertices_far_from_the_origin_are_brought_near_and_stay_where
         // Half metres are what floats hold at eight million.
         const glm::vec3 away(static_cast<float>(far), 0.0f, static_cast<float>(-0.5 * far));
         const hw::MeshData mesh = box(away, away + glm::vec3(6.0f, 2.5f, 4.0f));
-        const glm::dmat4 turned = glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(3, -4, 1e5)), 0.7,
-                                              glm::dvec3(1, 2, 3));
+        const glm::dmat4 turned =
+            glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(3, -4, 1e5)), 0.7, glm::dvec3(1, 2, 3));
         const hw::Scene stated = scene_of(mesh, {glm::dmat4(1.0), turned});
         hw::Scene scene = stated;
         hw::settle_meshes(scene);

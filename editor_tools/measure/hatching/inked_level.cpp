@@ -58,8 +58,7 @@ void InkedLevel::show(const InkKind& kind)
 
 FrameStats InkedLevel::draw(const Camera& camera, glm::ivec2 size_px, int samples)
 {
-    const View view =
-        camera_view(camera_place(camera), size_px, world_->scene.bounds_world);
+    const View view = camera_view(camera_place(camera), size_px, world_->scene.bounds_world);
     return renderer_.draw(view, {.samples = samples, .use_pvs = false, .is_timed = true});
 }
 

@@ -107,8 +107,8 @@ std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, c
     if (!arguments.camera.empty())
         shot.camera = named_camera(arguments.camera, level, scene);
     else if (!arguments.eye.empty())
-        shot.camera = {parse_vector(arguments.eye, "--eye"), parse_vector(arguments.target, "--target"),
-                       kDefaultFovDeg, {}};
+        shot.camera = {
+            parse_vector(arguments.eye, "--eye"), parse_vector(arguments.target, "--target"), kDefaultFovDeg, {}};
     else
         shot.camera = whole_scene_camera(scene, aspect);
     project(shot.camera, arguments);

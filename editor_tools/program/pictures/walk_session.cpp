@@ -365,8 +365,7 @@ double WalkSession::view_time_s() const
 View WalkSession::view(glm::ivec2 size_px, float px_scale) const
 {
     const Camera now = camera();
-    View view =
-        camera_view(camera_place(now), size_px, stage_->scene().bounds_world, px_scale);
+    View view = camera_view(camera_place(now), size_px, stage_->scene().bounds_world, px_scale);
     view.time_s = view_time_s();
     return view;
 }

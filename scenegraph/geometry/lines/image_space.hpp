@@ -56,10 +56,7 @@ class ImageSpace {
     /// Half of what the picture shows at this depth, metres.
     glm::dvec2 half_m(double depth) const { return (is_parallel_ ? 1.0 : depth) / focal_px_ * centre_; }
     /// What a place in the picture is known relative to, pixels.
-    double reach_px() const
-    {
-        return focal_px_ * (is_parallel_ ? depth_m_ : 1.0) + 2.0 * (centre_.x + centre_.y);
-    }
+    double reach_px() const { return focal_px_ * (is_parallel_ ? depth_m_ : 1.0) + 2.0 * (centre_.x + centre_.y); }
 
     /// The part of a view-space segment before the near plane, or nothing.
     struct Clipped {

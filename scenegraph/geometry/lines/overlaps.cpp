@@ -58,8 +58,8 @@ std::vector<Overlaps::Triangle> Overlaps::triangles_of(std::span<const SeamObjec
             if (surface.face_triangle[id] == kNoFace) continue;
             Triangle triangle{{}, {}, object.style, object.is_double_sided || surface.is_two_sided(id)};
             for (int i = 0; i < 3; ++i)
-                triangle.corners[i] = glm::dvec3(object.world_from_object *
-                                                 glm::dvec4(glm::dvec3(surface.positions[face[i]]), 1.0));
+                triangle.corners[i] =
+                    glm::dvec3(object.world_from_object * glm::dvec4(glm::dvec3(surface.positions[face[i]]), 1.0));
             if (side < 0.0) std::swap(triangle.corners[1], triangle.corners[2]);
             const glm::dvec3 area =
                 glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);

@@ -14,8 +14,8 @@
 #include "hatchway/geometry/lines/cross_section.hpp"
 #include "hatchway/geometry/lines/line_groups.hpp"
 #include "hatchway/geometry/lines/overlaps.hpp"
-#include "hatchway/geometry/topology/directed_edges.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
+#include "hatchway/geometry/topology/directed_edges.hpp"
 
 namespace hw {
 namespace {

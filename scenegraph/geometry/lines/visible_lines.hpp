@@ -24,8 +24,8 @@ struct LineCamera {
     double fov_rad = 1.0471975512;            ///< Vertical, in (0, pi).
     /// A parallel projection so high, in place of the angle; above 0.
     std::optional<double> orthographic_height_m = {};
-    glm::ivec2 size_px{1280, 720};            ///< At least 1 x 1.
-    double near_m = 0.01;                     ///< What is closer is cut away. Above 0, or in a parallel projection 0.
+    glm::ivec2 size_px{1280, 720};  ///< At least 1 x 1.
+    double near_m = 0.01;           ///< What is closer is cut away. Above 0, or in a parallel projection 0.
     double far_m = 1000.0;  ///< Of a parallel projection: everything is nearer; depths are told apart relative to it.
 };
 
@@ -65,11 +65,12 @@ struct VisibleLine {
     std::uint8_t set = 0;      ///< Of the object's lines: 0 of its crease_rad, the others of more_crease_rad.
     LineClass line_class = LineClass::silhouette;
     bool is_visible = true;
-    bool is_closed = false;              ///< The last point is joined to the first, which is not repeated.
-    std::vector<glm::dvec2> points_px;   ///< Two at least. Origin top left, y down, clipped to the picture.
-    /// Of each point: 1 / distance from the plane of the eye, 1 / m. In a parallel projection 2 at near_m and 1 at far_m.
+    bool is_closed = false;             ///< The last point is joined to the first, which is not repeated.
+    std::vector<glm::dvec2> points_px;  ///< Two at least. Origin top left, y down, clipped to the picture.
+    /// Of each point: 1 / distance from the plane of the eye, 1 / m. In a parallel projection 2 at near_m and 1 at
+    /// far_m.
     std::vector<double> inverse_depths;
-    std::vector<LineSource> sources;     ///< Of each segment, the closing one included.
+    std::vector<LineSource> sources;  ///< Of each segment, the closing one included.
 };
 
 /// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:

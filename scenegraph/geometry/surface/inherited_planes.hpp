@@ -12,7 +12,8 @@ namespace hw {
 bool is_needle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 /// Gives every face that has no plane of its own (collinear, a needle, or a cap without a triangle) the plane of a face
-/// that has one: the one that is reached over the longest sides. Fills FacingFilter::inherited and counts in the report.
+/// that has one: the one that is reached over the longest sides. Fills FacingFilter::inherited and counts in the
+/// report.
 void inherit_planes(Surface& surface);
 
 }  // namespace hw

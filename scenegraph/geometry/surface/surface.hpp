@@ -67,7 +67,7 @@ struct Surface {
     std::vector<bool> two_sided_faces;          ///< Modelled from both sides, so never culled; empty: none.
     std::vector<std::uint32_t> face_component;  ///< Into `components`.
     std::vector<SurfaceComponent> components;
-    glm::dmat3 normal_from_object{1.0};         ///< Of normals in the world whose angles are folds; any length.
+    glm::dmat3 normal_from_object{1.0};  ///< Of normals in the world whose angles are folds; any length.
     EdgeTable edges;
     FacingFilter filter;
     FaceClusters clusters;  ///< Empty for surfaces so small that they would not pay.

@@ -44,7 +44,8 @@ int convexity_sign(const Surface& surface, std::uint32_t face_a, std::uint32_t f
     // All corners of B but its apex lie on the common line, so the apex alone decides, whichever corner it is. Where a
     // plane is inherited the line may be another one that is close by: then the corner farthest from it decides.
     const glm::dvec3 o = surface.positions[a[0]];
-    const glm::dvec3 normal = glm::cross(glm::dvec3(surface.positions[a[1]]) - o, glm::dvec3(surface.positions[a[2]]) - o);
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(surface.positions[a[1]]) - o, glm::dvec3(surface.positions[a[2]]) - o);
     double farthest = -1.0;
     std::uint32_t apex = kNoFace;
     for (const std::uint32_t corner : surface.faces[plane_b]) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-
 namespace hw {
 namespace {
 
@@ -20,7 +19,10 @@ class WindingWalk {
  public:
     WindingWalk(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces,
                 std::span<const DirectedEdge> uses)
-        : positions_(positions), faces_(faces), neighbours_(face_neighbours(faces.size(), uses)), is_opposed_(faces.size(), false)
+        : positions_(positions),
+          faces_(faces),
+          neighbours_(face_neighbours(faces.size(), uses)),
+          is_opposed_(faces.size(), false)
     {
         repair_.face_component.assign(faces.size(), kNoFace);
     }
@@ -92,8 +94,8 @@ class WindingWalk {
         const glm::dvec3 origin = place(component.faces[0], 0);
         double volume = 0.0;
         for (const std::uint32_t face : component.faces) {
-            const double own = glm::dot(glm::cross(place(face, 0) - origin, place(face, 1) - origin),
-                                        place(face, 2) - origin);
+            const double own =
+                glm::dot(glm::cross(place(face, 0) - origin, place(face, 1) - origin), place(face, 2) - origin);
             volume += is_opposed_[face] ? -own : own;
         }
         return volume;

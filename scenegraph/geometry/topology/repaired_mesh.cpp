@@ -92,7 +92,8 @@ class MeshRepair {
 
     void close()
     {
-        made_.t_junction_edges = close_t_junctions(made_.positions, made_.faces, made_.uses, made_.two_sided_faces, tolerance_);
+        made_.t_junction_edges =
+            close_t_junctions(made_.positions, made_.faces, made_.uses, made_.two_sided_faces, tolerance_);
         if (made_.t_junction_edges == 0) return;
         made_.face_triangle.resize(made_.faces.size(), kNoFace);
         if (!made_.two_sided_faces.empty()) made_.two_sided_faces.resize(made_.faces.size(), false);
@@ -162,8 +163,8 @@ void turn_over(MeshData& mesh, const std::vector<std::uint32_t>& triangles)
     for (const std::uint32_t triangle : triangles) {
         const std::uint32_t* const corner = &mesh.indices[3 * std::size_t{triangle}];
         const glm::dvec3 a = mesh.positions[corner[0]];
-        const glm::dvec3 area = glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a,
-                                           glm::dvec3(mesh.positions[corner[2]]) - a);
+        const glm::dvec3 area =
+            glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a, glm::dvec3(mesh.positions[corner[2]]) - a);
         for (int i = 0; i < 3; ++i)
             if (!is_kept[corner[i]] && glm::dot(glm::dvec3(mesh.normals[corner[i]]), area) < 0.0)
                 mesh.normals[corner[i]] = -mesh.normals[corner[i]];

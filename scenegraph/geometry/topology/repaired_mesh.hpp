@@ -12,7 +12,7 @@ namespace hw {
 
 /// A welded mesh whose faces fit together as well as they can be made to. Every topology is taken.
 struct RepairedMesh {
-    std::vector<glm::vec3> positions;           ///< No two are equal.
+    std::vector<glm::vec3> positions;            ///< No two are equal.
     std::vector<std::uint32_t> vertex_position;  ///< As WeldedMesh has it.
     std::vector<FaceCorners> faces;              ///< Of the welded faces those that stay, in their order; then caps.
     std::vector<std::uint32_t> face_triangle;    ///< Where each came from; kNoFace for caps (close_t_junctions()).
@@ -21,14 +21,14 @@ struct RepairedMesh {
     std::vector<std::uint32_t> face_component;  ///< Connected over edges of exactly two faces.
     std::uint32_t component_count = 0;
 
-    std::uint32_t doubled_faces = 0;             ///< Left out: see find_doubled_faces().
-    std::uint32_t stitched_edges = 0;            ///< Pairs of borders that became one edge.
-    std::uint32_t t_junction_edges = 0;          ///< Borders that got caps.
+    std::uint32_t doubled_faces = 0;           ///< Left out: see find_doubled_faces().
+    std::uint32_t stitched_edges = 0;          ///< Pairs of borders that became one edge.
+    std::uint32_t t_junction_edges = 0;        ///< Borders that got caps.
     std::vector<std::uint32_t> flipped_faces;  ///< Turned over, and not two-sided; rising.
 };
 
-/// In this order: joins doubled faces, stitches borders closer than `stitch_share` of the bounding box' diagonal, closes
-/// T-junctions as wide, repairs the winding.
+/// In this order: joins doubled faces, stitches borders closer than `stitch_share` of the bounding box' diagonal,
+/// closes T-junctions as wide, repairs the winding.
 RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share);
 
 /// The share of the bounding box' diagonal within which borders are joined.

@@ -171,7 +171,8 @@ class Caps {
         for (const DirectedEdge& use : uses) {
             auto& counts = uses_[key_of(use.low, use.high)];
             const bool is_two_sided = !two_sided_faces.empty() && two_sided_faces[use.face];
-            for (const bool is_forward : {false, true}) counts[is_forward] += is_two_sided || use.is_forward == is_forward;
+            for (const bool is_forward : {false, true})
+                counts[is_forward] += is_two_sided || use.is_forward == is_forward;
         }
     }
 

@@ -48,8 +48,7 @@ std::string decode_percent(const std::string& uri)
     };
     std::string text;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool is_coded =
-            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+        const bool is_coded = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
         if (!is_coded) {
             text += uri[i];
             continue;

@@ -68,7 +68,8 @@ void visit_keys(Visitor& v, Camera& camera)
     v.point({"position", "The eye, metres, y up.", true}, camera.eye_world);
     v.point({"look_at", "A point that the eye looks at.", true}, camera.target_world);
     v.real({"fov_deg", "Vertical field of view."}, kFieldOfView, camera.fov_deg);
-    if (v.object({"orthographic", "A parallel projection, such as a plan or an elevation, in place of fov_deg."}, parallel))
+    if (v.object({"orthographic", "A parallel projection, such as a plan or an elevation, in place of fov_deg."},
+                 parallel))
         camera.orthographic_height_m = parallel.height_m;
     v.not_both("fov_deg", "orthographic");
 }

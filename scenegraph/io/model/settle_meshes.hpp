@@ -5,9 +5,9 @@
 namespace hw {
 
 /// What every model gets, whatever its format: triangles that wind against the rest of their component are turned over
-/// (topology/repaired_mesh.hpp), so that nobody culls or lights them from the wrong side; sheets that are shown from both
-/// sides all wind the same way (topology/sheets.hpp); and meshes whose vertices lie far from their origin are moved to
-/// it, exactly, so that floats suffice wherever they go. Their objects stay where they are.
+/// (topology/repaired_mesh.hpp), so that nobody culls or lights them from the wrong side; sheets that are shown from
+/// both sides all wind the same way (topology/sheets.hpp); and meshes whose vertices lie far from their origin are
+/// moved to it, exactly, so that floats suffice wherever they go. Their objects stay where they are.
 void settle_meshes(Scene& scene);
 
 }  // namespace hw

@@ -63,8 +63,9 @@ View camera_view(const CameraPlace& camera, glm::ivec2 size_px, const Box& scene
     const double aspect = static_cast<double>(size_px.x) / std::max(size_px.y, 1);
     View view;
     view.view_from_world = glm::mat4(glm::lookAt(camera.eye_world, camera.eye_world + direction, up));
-    view.clip_from_view = glm::mat4(camera.orthographic_height_m ? parallel_projection(camera, aspect, direction, bounds)
-                                                                 : perspective_projection(camera, aspect, bounds));
+    view.clip_from_view =
+        glm::mat4(camera.orthographic_height_m ? parallel_projection(camera, aspect, direction, bounds)
+                                               : perspective_projection(camera, aspect, bounds));
     view.eye_world = camera.eye_world;
     if (camera.orthographic_height_m) {
         view.to_viewer_world = camera.eye_world - camera.target_world;

@@ -11,7 +11,7 @@ namespace hw {
 struct CameraPlace {
     glm::dvec3 eye_world{0.0};
     glm::dvec3 target_world{0.0, 0.0, -1.0};
-    double fov_deg = 60.0;                        ///< Vertical.
+    double fov_deg = 60.0;                             ///< Vertical.
     std::optional<double> orthographic_height_m = {};  ///< A parallel projection so high, in place of the angle.
 };
 

@@ -105,7 +105,8 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
     result = {};
     const Scene& scene = *query.scene;
     std::vector<std::uint8_t> seen;
-    // A parallel projection is seen from a whole plane, not from a place whose sight is known: the frustum alone decides.
+    // A parallel projection is seen from a whole plane, not from a place whose sight is known: the frustum alone
+    // decides.
     const Visibility* const visibility = view.is_orthographic() ? nullptr : query.visibility;
     if (visibility != nullptr) {
         visible_chunks(*visibility, view.eye_world, near_radius(view), seen);

@@ -50,8 +50,8 @@ struct VisibilityQuery {
     const Visibility* visibility = nullptr;  ///< Null: everything.
 };
 
-/// Objects whose chunks the PVS and the frustum leave; in a parallel projection the frustum alone. An object's place in the order and its matrices do not depend on
-/// what else is visible, so that pictures do not depend on the PVS.
+/// Objects whose chunks the PVS and the frustum leave; in a parallel projection the frustum alone. An object's place in
+/// the order and its matrices do not depend on what else is visible, so that pictures do not depend on the PVS.
 void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& result);
 
 /// The same set, its ranges cut into pieces of at most so many triangles.

@@ -83,8 +83,8 @@ TEST(needles, two_that_share_their_longest_side_take_the_planes_around_them)
 
 TEST(needles, thin_faces_whose_corners_are_well_known_keep_their_planes)
 {
-    EXPECT_FALSE(hw::is_needle({0, 0, 0}, {1, 0, 0}, {0.5f, 1e-5f, 0}));                // thin, but not uncertain
-    EXPECT_FALSE(hw::is_needle({8e6f, 0, 0}, {8e6f + 8, 0, 0}, {8e6f, 0.5f, 0}));       // uncertain, but not thin
+    EXPECT_FALSE(hw::is_needle({0, 0, 0}, {1, 0, 0}, {0.5f, 1e-5f, 0}));           // thin, but not uncertain
+    EXPECT_FALSE(hw::is_needle({8e6f, 0, 0}, {8e6f + 8, 0, 0}, {8e6f, 0.5f, 0}));  // uncertain, but not thin
     EXPECT_TRUE(hw::is_needle({1, 1, 0}, {1, 1, 1}, {1, std::nextafter(1.0f, 2.0f), 0.5f}));
     EXPECT_TRUE(hw::is_needle({0, 0, 0}, {1, 0, 0}, {3, 0, 0}));
 }

@@ -95,8 +95,8 @@ hw::MeshData box_with_t_junctions(int cuts, float off)
     std::vector<glm::vec3> round;
     for (int side = 0; side < 4; ++side)
         for (int i = 0; i <= cuts; ++i) {
-            glm::vec3 p = glm::mix(corners[side], corners[(side + 1) % 4],
-                                   static_cast<float>(i) / static_cast<float>(cuts + 1));
+            glm::vec3 p =
+                glm::mix(corners[side], corners[(side + 1) % 4], static_cast<float>(i) / static_cast<float>(cuts + 1));
             if (i > 0) p.z += off;
             round.push_back(p);
         }
@@ -120,9 +120,9 @@ double volume(const hw::MeshData& mesh)
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-        sum += glm::dot(glm::cross(glm::dvec3(mesh.positions[mesh.indices[i]]),
-                                   glm::dvec3(mesh.positions[mesh.indices[i + 1]])),
-                        glm::dvec3(mesh.positions[mesh.indices[i + 2]]));
+        sum += glm::dot(
+            glm::cross(glm::dvec3(mesh.positions[mesh.indices[i]]), glm::dvec3(mesh.positions[mesh.indices[i + 1]])),
+            glm::dvec3(mesh.positions[mesh.indices[i + 2]]));
     return sum / 6.0;
 }
 
@@ -207,8 +207,9 @@ TEST(t_junctions, every_edge_of_a_box_is_one_ridge_however_its_front_is_cut)
 TEST(t_junctions, borders_that_are_cut_at_different_places_on_both_sides_are_joined)
 {
     // Two strips of a floor along z = 0: the one is cut at x = 1 and 2, the other at 1.5.
-    const hw::MeshData mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5f, 0, -1}, {1.5f, 0, 0}, {1.5f, 0, 1}},
-                                      {4, 0, 1, 4, 1, 2, 4, 2, 3, 6, 5, 0, 6, 3, 5});
+    const hw::MeshData mesh =
+        mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5f, 0, -1}, {1.5f, 0, 0}, {1.5f, 0, 1}},
+                {4, 0, 1, 4, 1, 2, 4, 2, 3, 6, 5, 0, 6, 3, 5});
     const hw::Surface surface = hw::build_surface(mesh);
     EXPECT_EQ(surface.report.border_edges, 4u);
     EXPECT_EQ(surface.report.complex_edges, 0u);
@@ -226,7 +227,8 @@ TEST(t_junctions, what_is_left_of_a_border_stays_one)
 
 TEST(t_junctions, a_corner_that_only_touches_a_border_joins_nothing)
 {
-    const hw::MeshData mesh = mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, -1}, {1, 0, 0}, {2, 0, 1}, {0, 0, 1}}, {0, 1, 2, 3, 5, 4});
+    const hw::MeshData mesh =
+        mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, -1}, {1, 0, 0}, {2, 0, 1}, {0, 0, 1}}, {0, 1, 2, 3, 5, 4});
     EXPECT_EQ(hw::build_surface(mesh).report.t_junction_edges, 0u);
 }
 

@@ -620,10 +620,17 @@ TEST(gltf_import, a_percent_sign_that_no_two_digits_follow_stands_for_itself)
         const char* uri;
         const char* file;
     };
-    const Case cases[] = {{"example 10%.bin", "example 10%.bin"}, {"a%zz.bin", "a%zz.bin"}, {"a%2", "a%2"},
-                          {"%", "%"},                             {"%%41", "%A"},          {"a%20b.bin", "a b.bin"},
-                          {"100%25.bin", "100%.bin"},             {"sub%2Fx.bin", "sub/x.bin"},
-                          {"%e4.bin", "\xe4.bin"},               {"x%2.bin", "x%2.bin"},  {"50%g0", "50%g0"}};
+    const Case cases[] = {{"example 10%.bin", "example 10%.bin"},
+                          {"a%zz.bin", "a%zz.bin"},
+                          {"a%2", "a%2"},
+                          {"%", "%"},
+                          {"%%41", "%A"},
+                          {"a%20b.bin", "a b.bin"},
+                          {"100%25.bin", "100%.bin"},
+                          {"sub%2Fx.bin", "sub/x.bin"},
+                          {"%e4.bin", "\xe4.bin"},
+                          {"x%2.bin", "x%2.bin"},
+                          {"50%g0", "50%g0"}};
     for (const Case& c : cases) {
         const TemporaryFolder folder;
         std::filesystem::create_directory(folder.path() / "sub");

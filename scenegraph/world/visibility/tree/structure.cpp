@@ -36,10 +36,7 @@ bool mark_named(const std::string& pattern, const Scene& scene, std::uint64_t& s
 class BlockingTriangles {
  public:
     BlockingTriangles(const Scene& scene, const Level& level, const Grid& grid)
-        : scene_(scene),
-          grid_(grid),
-          is_named_node_(structure_nodes(scene, level)),
-          open_backs_(find_open_backs(scene))
+        : scene_(scene), grid_(grid), is_named_node_(structure_nodes(scene, level)), open_backs_(find_open_backs(scene))
     {
     }
 
