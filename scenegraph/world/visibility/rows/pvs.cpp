@@ -4,6 +4,7 @@
 #include "hatchway/world/visibility/rows/pvs.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -166,10 +167,17 @@ class Flow {
         return relation;
     }
 
+    /// Planes through each side of the one and a corner of the other: windings of many corners cost by their product.
+    void charge_separators(const Winding& a, const Winding& b)
+    {
+        constexpr int kLeast = 4, kPairsOfStep = 8;
+        cost_ += static_cast<std::uint64_t>(std::max(kLeast, a.count * b.count / kPairsOfStep));
+    }
+
     void make_gate(Step& here)
     {
         if (here.has_gate) return;
-        cost_ += 4;
+        charge_separators(here.source, here.pass);
         here.has_gate = true;
         here.gate.clear();
         const FlowPlane pass_back{-here.pass_plane.normal, -here.pass_plane.offset};
@@ -197,7 +205,7 @@ class Flow {
     /// What of the pass is seen from what is left of the source.
     bool clip_from_both(const Step& here, Step& next)
     {
-        cost_ += 4;
+        charge_separators(next.source, here.pass);
         const ClipTolerance& tolerance = graph_.tolerance;
         const FlowPlane pass_back{-here.pass_plane.normal, -here.pass_plane.offset};
         return clip_to_separators(next.pass, {next.source, source_.plane, here.pass, false, false}, tolerance) &&
@@ -221,7 +229,7 @@ class Flow {
         // Less of the source has tighter planes.
         if (is_cut && !clip_from_both(here, next)) return false;
         // From the far end: what of the source can be reached from what is left of the portal.
-        cost_ += 4;
+        charge_separators(next.pass, here.pass);
         if (!clip_to_separators(next.source, {next.pass, behind, here.pass, true, false}, tolerance)) return false;
         return clip_to_separators(next.source, {here.pass, here.pass_plane, next.pass, false, true}, tolerance);
     }
@@ -293,13 +301,14 @@ std::vector<int> coarse_portals(const FlowGraph& graph)
     return result;
 }
 
-/// One round over the coarse portals; returns its cost.
-std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits, const std::function<void(double)>& tell)
+/// One round over the coarse portals, as long as there are steps left; returns its cost.
+double flow_round(FlowGraph& graph, const FlowLimits& limits, double steps_left,
+                  const std::function<void(double)>& tell)
 {
     constexpr std::size_t kSmallestBatch = 32;
     const std::vector<int> order = coarse_portals(graph);
-    std::uint64_t cost = 0;
-    for (std::size_t first = 0; first < order.size();) {
+    double cost = 0.0;
+    for (std::size_t first = 0; first < order.size() && cost < steps_left;) {
         const std::size_t size = std::min(std::max(kSmallestBatch, first / 16), order.size() - first);
         std::vector<Outcome> outcomes(size);
         tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) {
@@ -311,7 +320,7 @@ std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits, const std::
             FlowPortal& portal = graph.portals[static_cast<std::size_t>(order[first + i])];
             portal.sees = std::move(outcomes[i].sees);
             portal.is_coarse = outcomes[i].is_coarse;
-            cost += outcomes[i].cost;
+            cost += static_cast<double>(outcomes[i].cost);
         }
         first += size;
         if (tell) tell(static_cast<double>(first) / static_cast<double>(order.size()));
@@ -319,14 +328,16 @@ std::uint64_t flow_round(FlowGraph& graph, const FlowLimits& limits, const std::
     return cost;
 }
 
-/// Rounds of rising depth: what a shallow round rules out for all portals makes the next cheaper. Returns the portals
-/// that stay coarse.
+/// Rounds of rising depth: what a shallow round rules out for all portals makes the next cheaper. A round that has
+/// begun may take as much again as the budget. Returns the portals that stay coarse.
 std::vector<int> flow_all(FlowGraph& graph, const PvsOptions& options)
 {
     constexpr double kStepsPerSecond = 4e6;  // roughly; a count, not a clock, so that rows stay the same
     constexpr std::uint64_t kLeastSteps = 500;
     const bool has_limit = options.effort != PvsEffort::exact && options.seconds > 0.0;
-    double left = options.seconds * kStepsPerSecond;
+    const double budget = options.seconds * kStepsPerSecond;
+    const double most_over = has_limit ? budget : std::numeric_limits<double>::infinity();
+    double left = budget;
     const std::size_t unlimited = graph.portals.size() + 1;
     // Where all of it will be done the rounds before the last cost more than they save.
     const std::vector<std::size_t> depths =
@@ -336,7 +347,7 @@ std::vector<int> flow_all(FlowGraph& graph, const PvsOptions& options)
         if (coarse == 0) return {};
         const double share = 4.0 * std::max(0.0, left) / static_cast<double>(coarse);
         const std::uint64_t steps = has_limit ? std::max(kLeastSteps, static_cast<std::uint64_t>(share)) : 0;
-        left -= static_cast<double>(flow_round(graph, {depth, steps}, options.progress));
+        left -= flow_round(graph, {depth, steps}, left + most_over, options.progress);
         if (has_limit && left < 0.0) break;
     }
     return coarse_portals(graph);
