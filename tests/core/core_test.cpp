@@ -54,6 +54,17 @@ TEST(glob, hostile_patterns_end_soon)
     for (int i = 0; i < 200; ++i) pattern += "*a";
     EXPECT_FALSE(glob_matches(pattern, std::string(5000, 'a') + "b"));
 }
+TEST(glob, follows_a_text_through_patterns_of_any_length)
+{
+    for (const std::size_t length : {63, 64, 65, 128, 1000}) {
+        const std::string text(length, 'a');
+        EXPECT_TRUE(glob_matches(text, text)) << length;
+        EXPECT_TRUE(glob_matches("**" + text + "**", "b/" + text + "/b")) << length;
+        EXPECT_TRUE(glob_matches(text + "*?", text + "ab")) << length;
+        EXPECT_FALSE(glob_matches(text + "*?", text)) << length;
+        EXPECT_FALSE(glob_matches(text, text + "a")) << length;
+    }
+}
 
 TEST(budget, says_which_limit_ran_out_and_how_to_raise_it)
 {

@@ -219,6 +219,22 @@ TEST_F(endless, a_rule_of_four_hundred_thousand_characters)
         const json level = {{"format", "hatchway-level/1"},
                             {"scene", "model.glb"},
                             {"assign", {{{"nodes", glob + end}, {"style", "photoreal"}}}}};
-        expect_message(run({"check", folder_.write("rules.level.json", level.dump())}), "steps of rules");
+        expect_opens(folder_.write("rules.level.json", level.dump()));
     }
+}
+
+TEST_F(endless, rules_over_paths_that_multiply)
+{
+    json nodes = json::array();
+    for (int i = 0; i < 100; ++i) nodes.push_back({{"name", std::string(1000, 'n')}, {"children", {i + 1}}});
+    nodes.push_back({{"children", json::array()}});
+    for (int i = 0; i < 1000; ++i) {
+        nodes[100]["children"].push_back(101 + i);
+        nodes.push_back({{"mesh", 0}});
+    }
+    model(box(0.5f), nodes);
+    json level = {{"format", "hatchway-level/1"}, {"scene", "model.glb"}, {"assign", json::array()}};
+    for (int i = 0; i < 2000; ++i)
+        level["assign"].push_back({{"nodes", "**n**" + std::to_string(i) + "*"}, {"style", "photoreal"}});
+    expect_message(run({"check", folder_.write("rules.level.json", level.dump())}), "steps of rules");
 }
