@@ -40,7 +40,7 @@ JsonValue leaks_json(const std::vector<Leak>& leaks)
 }
 
 JsonValue result_json(const CheckArguments& arguments, const Stage& stage, const std::vector<std::string>& doubts,
-                      const std::vector<Leak>& leaks)
+                      const LeakSearch& search)
 {
     JsonValue warnings = JsonValue::array();
     for (const std::string& doubt : doubts) warnings.push(doubt);
@@ -51,7 +51,8 @@ JsonValue result_json(const CheckArguments& arguments, const Stage& stage, const
         .set("triangles", drawn_triangle_count(stage.scene()))
         .set("is_compiled_level_used", stage.is_compiled_level_used())
         .set("warnings", std::move(warnings))
-        .set("leaks", leaks_json(leaks));
+        .set("leaks", leaks_json(search.leaks))
+        .set("is_leak_search_complete", search.is_complete);
 }
 
 std::string compiled_text(const Stage& stage)
@@ -74,10 +75,10 @@ void check(const CheckArguments& arguments)
     found.insert(found.end(), of_model.begin(), of_model.end());
     const std::vector<std::string> failures = stage.style_failures();
     const bool is_sealed = stage.level().is_sealed;
-    const std::vector<Leak> leaks = is_sealed ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
+    const LeakSearch search = is_sealed ? told_leaks(stage.level(), stage.scene()) : LeakSearch{};
+    const std::size_t warnings = found.size() + search.leaks.size() + (search.is_complete ? 0 : 1);
 
     const Scene& scene = stage.scene();
-    const std::size_t warnings = found.size() + leaks.size();
     print_line(
         fmt::format("{}: {}: {} objects{}, {} triangles, {} materials, {} lights, {} styles, {} cameras, {} "
                     "paths; {}{} warning{}",
@@ -86,7 +87,7 @@ void check(const CheckArguments& arguments)
                     scene.lights.size() + stage.level().lights.size(), stage.level().styles.size(),
                     stage.level().cameras.size() + scene.cameras.size(), stage.level().paths.size(),
                     compiled_text(stage), warnings, warnings == 1 ? "" : "s"));
-    if (!arguments.json.empty()) write_json(arguments.json, result_json(arguments, stage, found, leaks));
+    if (!arguments.json.empty()) write_json(arguments.json, result_json(arguments, stage, found, search));
     if (!failures.empty())
         throw Error(
             {.what = fmt::format("the level is not drawn as it should be: {} of what draws failed, as told above",

@@ -132,7 +132,7 @@ void render(const RenderArguments& arguments)
 
     FrameOptions options = frame_options(arguments);
     const std::vector<Leak> leaks =
-        arguments.show.has_leaks ? told_leaks(stage.level(), stage.scene()) : std::vector<Leak>();
+        arguments.show.has_leaks ? told_leaks(stage.level(), stage.scene()).leaks : std::vector<Leak>();
     JsonValue frames = JsonValue::array();
     std::size_t frames_made = 0;
     Progress progress("Rendering", shots.size());

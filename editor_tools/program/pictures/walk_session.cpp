@@ -102,7 +102,7 @@ void WalkSession::build_worlds()
 {
     pick_world_ = build_pick_world(stage_->scene());
     hidden_ = hidden_objects(stage_->scene());
-    leaks_ = options_.show.has_leaks ? told_leaks(stage_->level(), stage_->scene()) : std::vector<Leak>();
+    leaks_ = options_.show.has_leaks ? told_leaks(stage_->level(), stage_->scene()).leaks : std::vector<Leak>();
     collides_.clear();
     build_own_collision();
     body_ = body_for(stage_->scene().bounds_world, is_level_file(stage_->level().file));

@@ -40,7 +40,7 @@ std::string leak_text(const Leak& leak)
     return text;
 }
 
-std::vector<Leak> told_leaks(const Level& level, const Scene& scene)
+LeakSearch told_leaks(const Level& level, const Scene& scene)
 {
     const std::vector<InsidePlace> places = inside_places(level);
     if (places.empty())
@@ -48,10 +48,15 @@ std::vector<Leak> told_leaks(const Level& level, const Scene& scene)
                      .file = level.file.string(),
                      .pointer = "/start",
                      .expected = "a start, cameras or paths, to look for leaks from"});
-    std::vector<Leak> leaks = find_leaks(scene, level, places);
-    for (const Leak& leak : leaks) log_warning(leak_text(leak));
-    if (leaks.empty()) log_info(level.file.string() + " is sealed");
-    return leaks;
+    LeakSearch search = find_leaks(scene, level, places);
+    for (const Leak& leak : search.leaks) log_warning(leak_text(leak));
+    if (!search.is_complete)
+        log_warning(level.file.string() +
+                    ": too fine for the search for leaks: a part of what closes it is taken to be "
+                    "open, so that what is named may be closed");
+    else if (search.leaks.empty())
+        log_info(level.file.string() + " is sealed");
+    return search;
 }
 
 std::vector<OverlayLine> shown_lines(const Stage& stage, const ShowArguments& arguments, const std::vector<Leak>& leaks,

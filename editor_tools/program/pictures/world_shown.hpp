@@ -17,9 +17,9 @@ struct ShowArguments {
 
 void add_show_arguments(CommandLine command, ShowArguments& arguments);
 
-/// The ways out of a level, each told in a line of the log; one line when there is none. Throws hw::Error for a level
-/// that names no place to look from.
-std::vector<Leak> told_leaks(const Level& level, const Scene& scene);
+/// The ways out of a level, each told in a line of the log; one line when there is none, or when the search was not
+/// complete. Throws hw::Error for a level that names no place to look from.
+LeakSearch told_leaks(const Level& level, const Scene& scene);
 
 /// A leak in words, without a line break.
 std::string leak_text(const Leak& leak);

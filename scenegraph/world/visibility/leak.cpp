@@ -32,6 +32,7 @@ struct Rooms {
     BspBuild build;
     std::vector<std::vector<Way>> ways;    ///< By leaf.
     std::vector<std::uint8_t> is_outside;  ///< By leaf.
+    bool are_complete = true;              ///< All that blocks is in them.
 };
 
 glm::dvec3 area_vector(const std::vector<glm::dvec3>& winding)
@@ -75,11 +76,13 @@ Rooms make_rooms(const Scene& scene, const Level& level)
     options.least_area_share = 0.0;
     options.margin_m = kMargin_m;
     Structure structure = choose_structure(scene, level, options);
+    const bool is_whole_structure = structure.left_out == 0;
     BspBuild build =
         build_bsp(structure.grid, std::move(structure.planes), std::move(structure.polygons), structure.box_min,
                   structure.box_max, std::numeric_limits<double>::infinity(), kBspLimits);
     const std::vector<LeafContact> contacts = leaf_contacts(build);
     Rooms rooms;
+    rooms.are_complete = is_whole_structure && build.left_out == 0 && build.are_covers_complete;
     rooms.build = std::move(build);
     const BspTree& tree = rooms.build.tree;
     rooms.ways.resize(static_cast<std::size_t>(tree.leaf_count));
@@ -260,10 +263,12 @@ std::vector<InsidePlace> inside_places(const Level& level)
     return places;
 }
 
-std::vector<Leak> find_leaks(const Scene& scene, const Level& level, std::span<const InsidePlace> places, int most)
+LeakSearch find_leaks(const Scene& scene, const Level& level, std::span<const InsidePlace> places, int most)
 {
     const Rooms rooms = make_rooms(scene, level);
-    std::vector<Leak> leaks;
+    LeakSearch result;
+    result.is_complete = rooms.are_complete;
+    std::vector<Leak>& leaks = result.leaks;
     std::vector<Hole> told;
     for (const InsidePlace& place : places) {
         const int start = leaf_at(rooms.build.tree, place.position_world);
@@ -284,7 +289,7 @@ std::vector<Leak> find_leaks(const Scene& scene, const Level& level, std::span<c
                 {leaks.back().opening_world, std::max(kLeastHoleReach_m, 1.5 * std::sqrt(leaks.back().opening_m2))});
         }
     }
-    return leaks;
+    return result;
 }
 
 }  // namespace hw

@@ -16,7 +16,7 @@ constexpr glm::dvec3 kInside(-2, 0, 0);
 std::vector<Leak> leaks_of(SceneBuilder& builder, const glm::dvec3& from = kInside)
 {
     const InsidePlace place{"start", from};
-    return find_leaks(builder.scene(), {}, {&place, 1});
+    return find_leaks(builder.scene(), {}, {&place, 1}).leaks;
 }
 
 /// A room of thick walls around x, y, z in [-4, 4]; its wall at x = 4 has square holes of the given widths at y = 0.

@@ -52,7 +52,8 @@ struct BspBuild {
     std::array<std::int64_t, 3> box_max{};
     int depth = 0;
     int piece_count = 0;
-    std::size_t left_out = 0;  ///< Of the polygons, the last: for want of room they neither split nor block.
+    std::size_t left_out = 0;         ///< Of the polygons, the last: for want of room they neither split nor block.
+    bool are_covers_complete = true;  ///< False: leaf_contacts() ran out of steps and takes what is left to be open.
 };
 
 /// How far a tree may grow: planes that all cross each other part space into cells by the third power of their number.

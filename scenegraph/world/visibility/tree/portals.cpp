@@ -75,7 +75,10 @@ Pieces uncovered(const BspBuild& build, const PlanePolygon& contact, const std::
     Pieces pieces{contact};
     for (const BlockingPolygon& cover : covers) {
         if (!(from_front ? cover.blocks_from_front : cover.blocks_from_back)) continue;
-        if (pieces.size() > kMostPieces || steps_left < pieces.size()) break;
+        if (pieces.size() > kMostPieces || steps_left < pieces.size()) {
+            steps_left = 0;
+            break;
+        }
         steps_left -= pieces.size();
         Pieces left;
         for (PlanePolygon& piece : pieces) subtract(build.planes, std::move(piece), cover.polygon, left);
@@ -260,6 +263,7 @@ std::vector<LeafContact> leaf_contacts(BspBuild& build)
     Surroundings surroundings(build.tree.leaf_count);
     std::size_t steps_left = kMostSteps;
     if (!build.tree.nodes.empty()) add_node(build, 0, ancestors, surroundings, steps_left, contacts);
+    build.are_covers_complete = steps_left > 0;
     build.tree.is_solid = surroundings.solid();
     keep_unreachable(contacts, build.tree.is_solid);
     return contacts;

@@ -260,8 +260,9 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
     set_box(structure, {scene.bounds_world.min - options.margin_m, scene.bounds_world.max + options.margin_m});
     structure.scene_side_m2 = largest_side(scene.bounds_world);
 
-    const std::vector<GridTriangle> triangles =
-        chosen_triangles(BlockingTriangles(scene, level, structure.grid), options.max_triangles, structure.grid.step_m);
+    const BlockingTriangles all(scene, level, structure.grid);
+    const std::vector<GridTriangle> triangles = chosen_triangles(all, options.max_triangles, structure.grid.step_m);
+    structure.left_out = all.count() - triangles.size();
     std::vector<FlatPolygon> polygons = merge_coplanar(triangles, structure.grid.scaled(1e-5) / structure.grid.step_m);
     choose_polygons(polygons, level, options, structure);
     return structure;

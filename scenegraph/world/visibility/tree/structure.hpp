@@ -27,7 +27,7 @@ struct Structure {
     PlaneSet planes;
     std::vector<BlockingPolygon> polygons;  ///< By the area in their plane, largest first: structure, then details.
     int structure_count = 0;
-    int left_out = 0;                       ///< Polygons over the budget: they do not block.
+    std::size_t left_out = 0;               ///< Polygons and triangles over the budget: they do not block.
     std::vector<glm::dvec3> demoted_world;  ///< Where polygons in large planes are details, for want of budget.
     std::array<std::int64_t, 3> box_min{};  ///< The scene's box; what lies in its faces is left out.
     std::array<std::int64_t, 3> box_max{};
