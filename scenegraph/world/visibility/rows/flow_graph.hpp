@@ -32,12 +32,12 @@ inline int bit_count(const LeafBits& bits)
 struct FlowPortal {
     int to_leaf = 0;
     FlowPlane plane;
-    Winding winding;
-    glm::dvec3 centre{0.0};  ///< Of a ball around the winding.
+    glm::dvec3 centre{0.0};  ///< In the winding, and of a ball around it.
     double radius = 0.0;
     LeafBits sees;          ///< At most these leaves: coarse first, then what the flow finds.
     LeafBits surely;        ///< At least these.
     bool is_coarse = true;  ///< The flow has not finished, if it has begun.
+    Winding winding;        ///< Last: it is large, and most portals are told by what comes before.
 };
 
 /// A PortalGraph made ready for the flow.

@@ -17,6 +17,8 @@
 namespace hw {
 namespace {
 
+constexpr double kRounding = 1e-9;  // of a portal's radius: by which its centre may lie off its place
+
 FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
 {
     FlowGraph flow;
@@ -54,22 +56,43 @@ Sides sides_of(const Winding& winding, const FlowPlane& plane)
     return sides;
 }
 
+LeafBits all_leaves(const FlowGraph& graph)
+{
+    LeafBits all((static_cast<std::size_t>(graph.leaf_count) + 63) / 64);
+    for (int leaf = 0; leaf < graph.leaf_count; ++leaf) set_bit(all, leaf);
+    return all;
+}
+
+/// Whether a portal reaches farther in front of a plane than `least`. Its centre and its ball tell of most.
+bool does_reach(const FlowPortal& portal, const FlowPlane& plane, double least)
+{
+    const double distance = plane.distance(portal.centre);
+    if (distance - kRounding * portal.radius > least) return true;
+    return distance + portal.radius > least && sides_of(portal.winding, plane).most > least;
+}
+
 /// A line can pass `first` and then `later` only if `later` reaches in front of `first` and that behind it.
 bool may_follow(const FlowPortal& first, const FlowPortal& later, double least)
 {
-    return sides_of(later.winding, first.plane).most > least &&
-           sides_of(first.winding, {-later.plane.normal, -later.plane.offset}).most > least;
+    return does_reach(later, first.plane, least) &&
+           does_reach(first, {-later.plane.normal, -later.plane.offset}, least);
 }
 
+/// All leaves, where finding out takes too many steps.
 LeafBits coarse_sight(const FlowGraph& graph, const FlowPortal& source)
 {
+    constexpr std::size_t kMostSteps = 400'000'000;  // portals, of all sources
+    std::size_t steps_left = kMostSteps / graph.portals.size();
     LeafBits seen((static_cast<std::size_t>(graph.leaf_count) + 63) / 64);
     std::vector<int> pending{source.to_leaf};
     set_bit(seen, source.to_leaf);
     while (!pending.empty()) {
         const int leaf = pending.back();
         pending.pop_back();
-        for (const int number : graph.portals_out_of[static_cast<std::size_t>(leaf)]) {
+        const std::vector<int>& ways = graph.portals_out_of[static_cast<std::size_t>(leaf)];
+        if (ways.size() > steps_left) return all_leaves(graph);
+        steps_left -= ways.size();
+        for (const int number : ways) {
             const FlowPortal& portal = graph.portals[static_cast<std::size_t>(number)];
             if (has_bit(seen, portal.to_leaf) || !may_follow(source, portal, graph.tolerance.least)) continue;
             set_bit(seen, portal.to_leaf);

@@ -9,6 +9,7 @@ namespace {
 constexpr int kLinesPerRound = 64;
 constexpr int kMostRounds = 16;
 constexpr int kMostLeavesOnWay = 400;
+constexpr std::size_t kMostTests = 256'000'000;  // portals asked, by the lines of all sources
 
 /// SplitMix64: small, and the same on every machine.
 class Dice {
@@ -88,7 +89,9 @@ LeafBits surely_seen(const FlowGraph& graph, const FlowPortal& source)
     LeafBits seen(source.sees.size());
     set_bit(seen, source.to_leaf);
     Dice dice(static_cast<std::uint64_t>(source.to_leaf) + 1);
-    for (int round = 0; round < kMostRounds; ++round) {
+    const std::size_t most_tests = kMostTests / graph.portals.size();
+    std::size_t tests = 0;
+    for (int round = 0; round < kMostRounds && tests < most_tests; ++round) {
         int found = 0;
         for (int line = 0; line < kLinesPerRound; ++line) {
             const glm::dvec3 from = point_in(source.winding, dice);
@@ -97,6 +100,7 @@ LeafBits surely_seen(const FlowGraph& graph, const FlowPortal& source)
             for (int step = 0; step < kMostLeavesOnWay && place.leaf >= 0; ++step) {
                 if (!has_bit(seen, place.leaf)) ++found;
                 set_bit(seen, place.leaf);
+                tests += graph.portals_out_of[static_cast<std::size_t>(place.leaf)].size();
                 place = next_place(graph, place, from, way);
             }
         }
