@@ -22,7 +22,10 @@ constexpr std::array<Limit, kCostCount> kLimits{{{"nodes", limits::kMaxNodes},
                                                  {"drawn triangles", limits::kMaxDrawnTriangles},
                                                  {"bytes of node paths", limits::kMaxPathBytes},
                                                  {"texels of maps", limits::kMaxMapPixels},
-                                                 {"steps of rules", limits::kMaxRuleSteps}}};
+                                                 {"steps of rules", limits::kMaxRuleSteps},
+                                                 {"bytes of a line drawing", limits::kMaxLineBytes},
+                                                 {"steps of hidden lines", limits::kMaxLineSteps},
+                                                 {"strokes", limits::kMaxStrokes}}};
 
 std::uint64_t most(Cost cost)
 {
@@ -43,7 +46,7 @@ void Budget::require(Cost cost, std::uint64_t amount, const std::string& file, c
 {
     if (amount <= left(cost)) return;
     const char* name = kLimits[static_cast<std::size_t>(cost)].name;
-    throw Error({.what = fmt::format("the level has too many {}", name),
+    throw Error({.what = fmt::format("too many {}", name),
                  .file = file,
                  .pointer = pointer,
                  .expected = fmt::format("at most {} in all; --budget-factor 2 doubles each such limit", most(cost))});

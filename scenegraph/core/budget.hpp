@@ -16,8 +16,11 @@ enum class Cost : unsigned char {
     path_bytes,       ///< Text of the nodes' paths.
     map_pixels,       ///< Of all levels of all maps.
     rule_steps,       ///< Of finding out which rule decides each object's look.
+    line_bytes,       ///< What a line drawing holds of its objects.
+    line_steps,       ///< Of finding out which parts of its lines are hidden.
+    strokes,          ///< That a bitmap is read as.
 };
-inline constexpr std::size_t kCostCount = 8;
+inline constexpr std::size_t kCostCount = 11;
 
 /// What is left of the limits (limits.hpp) while a level is opened. Every limit is multiplied by one factor, which the
 /// program's user can raise.

@@ -7,7 +7,8 @@
 namespace hw {
 namespace {
 
-constexpr double kHiddenWidth = 0.6;  // of a hidden line, and its opacity: it stays behind what is seen
+constexpr std::size_t kMostMadeBytes = 512u << 20;  // kept of all objects, to be drawn again
+constexpr double kHiddenWidth = 0.6;                // of a hidden line, and its opacity: it stays behind what is seen
 constexpr double kHiddenOpacity = 0.5;
 
 std::vector<ObjectPens> with_crease(std::vector<ObjectPens> pens, std::optional<float> crease_rad)
@@ -90,12 +91,17 @@ const LevelLines::Made& LevelLines::made_of(ObjectId id, float crease_rad)
     });
     Key key{surfaces_.key_of(id), crease_rad, objects_[id].is_culled, is_crowded, {}};
     if (!extras.is_empty()) key.owner = id;
+    if (made_bytes_ > kMostMadeBytes && !made_.contains(key)) {
+        made_.clear();
+        made_bytes_ = 0;
+    }
     const auto [at, is_new] = made_.try_emplace(key);
     if (!is_new) return at->second;
     const ObjectEdges edges{*objects_[id].surface, crease_rad, extras, objects_[id].is_culled};
     Made& made = at->second;
     if (is_crowded) made.crowding.emplace(crowding_of(edges));
     made.lines = object_lines(edges, made.crowding ? &*made.crowding : nullptr);
+    made_bytes_ += made.lines.lines.size() * sizeof(made.lines.lines[0]) + (made.crowding ? made.crowding->bytes() : 0);
     return made;
 }
 

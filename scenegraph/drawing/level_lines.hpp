@@ -63,6 +63,7 @@ class LevelLines {
     LineExtras extras_;
     std::vector<LineObject> objects_;
     std::map<Key, Made> made_;
+    std::size_t made_bytes_ = 0;  ///< About what they take.
 };
 
 }  // namespace hw

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "hatchway/core/budget.hpp"
 #include "hatchway/maps/thinning.hpp"
 
 namespace hw {
@@ -112,11 +113,16 @@ class Tracer {
             }
         return glm::dvec2(x + 0.5, y + 0.5) + sum / std::max(count, 1.0);
     }
+    void add_branch(Branch branch)
+    {
+        Budget().require(Cost::strokes, branches_.size(), "", "");
+        branches_.push_back(std::move(branch));
+    }
     void add_dot(int x, int y)
     {
         used_[lines_.place(x, y)] = 0xff;
         const int node = node_of_[lines_.place(x, y)];
-        branches_.push_back({{middle_of_ink(x, y)}, {node, node}, 2.0 * distance_[lines_.place(x, y)], false});
+        add_branch({{middle_of_ink(x, y)}, {node, node}, 2.0 * distance_[lines_.place(x, y)], false});
     }
     void trace(int x, int y, std::size_t way)
     {
@@ -144,7 +150,7 @@ class Tracer {
         }
         branch.node[1] = node_of_[lines_.place(x, y)];
         branch.width = std::max(width / static_cast<double>(branch.points.size()), 1.0);
-        branches_.push_back(std::move(branch));
+        add_branch(std::move(branch));
     }
 
     const InkMask& lines_;

@@ -15,7 +15,7 @@ struct BitmapStrokesDesc {
 
 /// The strokes of a drawing: its middle lines, continued straight over crossings. Widths are relative to the median
 /// one. Priorities are even: see rank_evenly(). Lines that leave the drawing on one side go on at the other. No ink
-/// gives no strokes.
+/// gives no strokes. Throws hw::Error where noise would be more strokes than a budget has (core/budget.hpp).
 std::vector<MapStroke> strokes_of_bitmap(const Pixels& drawing, const BitmapStrokesDesc& desc = {});
 
 }  // namespace hw

@@ -56,6 +56,13 @@ double brightness(const std::uint8_t* p, int channels)
     return 1.0 - alpha + alpha * value / 255.0;
 }
 
+/// Whether paper is so near that the pixel may go at first.
+bool is_at_edge(const InkMask& mask, const Pixel& p)
+{
+    const std::array<int, 8> n = neighbours(mask, p);
+    return std::count(n.begin(), n.end(), 0) >= 2;
+}
+
 /// Peels ink off half a layer at a time. Only where pixels went in the last two peelings can new ones go.
 class Peeling {
  public:
@@ -63,7 +70,7 @@ class Peeling {
     {
         for (int y = 0; y < mask.height; ++y)
             for (int x = 0; x < mask.width; ++x)
-                if (mask.at(x, y)) near_[0].push_back({x, y});
+                if (mask.at(x, y) && is_at_edge(mask, {x, y})) near_[0].push_back({x, y});
         near_[1] = near_[0];
     }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/files/recent_files.hpp"
 #include "hatchway/core/files/user_folders.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/progress.hpp"
@@ -16,6 +17,7 @@ namespace hw {
 namespace {
 
 constexpr unsigned kPrivate = 0700;
+constexpr std::uint64_t kMostCacheBytes = 2ull << 30;  // of the user's own cache folder
 
 /// A bar that only grows: rounds of the portal flow each begin anew.
 class CompileProgress {
@@ -50,13 +52,18 @@ std::optional<CompiledLevel> found_in(const FolderHandle& cache, const Level& le
                                       const VisibilityOptions& options)
 {
     const std::uint64_t key = compiled_level_key(world.geometry_key, world.scene, level, options);
-    return find_compiled_level(cache, compiled_level_name(level), key, options.effort, world.scene, world.chunks);
+    const std::string name = compiled_level_name(level);
+    auto found = find_compiled_level(cache, name, key, options.effort, world.scene, world.chunks);
+    if (found) note_use(cache, name);
+    return found;
 }
 
-void keep(const FolderHandle& cache, const Level& level, const CompiledLevel& compiled, const LevelWorld& world)
+void keep(const CompiledCache& cache, const FolderHandle& folder, const Level& level, const CompiledLevel& compiled,
+          const LevelWorld& world)
 {
     try {
-        cache.write(compiled_level_name(level), compiled_level_bytes(compiled, world.chunks));
+        folder.write(compiled_level_name(level), compiled_level_bytes(compiled, world.chunks));
+        if (cache.folder.empty()) keep_recent(folder, kMostCacheBytes);  // what others named is theirs
     } catch (const Error& error) {
         log_info(std::string(error.what()) + ": the compiled level is not kept; --cache FOLDER keeps it elsewhere");
     }
@@ -113,7 +120,7 @@ CompiledLevel find_or_compile_world(const Level& level, const LevelWorld& world,
     if (folder)
         if (auto found = find_compiled_world(level, world, options, *cache)) return std::move(*found);
     CompiledLevel compiled = compile_world(level, world, options);
-    if (folder) keep(*folder, level, compiled, world);
+    if (folder) keep(*cache, *folder, level, compiled, world);
     return compiled;
 }
 

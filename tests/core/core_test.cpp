@@ -78,7 +78,7 @@ TEST(budget, says_which_limit_ran_out_and_how_to_raise_it)
         budget.spend(hw::Cost::objects, 2, "a.glb", "/nodes/4");
         FAIL();
     } catch (const hw::Error& error) {
-        EXPECT_EQ(error.parts().what, "the level has too many objects");
+        EXPECT_EQ(error.parts().what, "too many objects");
         EXPECT_EQ(error.parts().pointer, "/nodes/4");
         EXPECT_NE(error.parts().expected.find("--budget-factor 2"), std::string::npos);
     }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/files/recent_files.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {
@@ -67,4 +68,27 @@ TEST_F(user_folders, that_others_could_have_filled_are_refused)
     fs::permissions(home_.path() / ".cache/hatchway", fs::perms::owner_all);
     ASSERT_EQ(::chown((home_.path() / ".cache/hatchway").c_str(), 12345, 12345), 0);
     EXPECT_THROW(hw::user_cache_folder(), hw::Error) << "somebody else's";
+}
+
+TEST_F(user_folders, keep_what_was_used_last)
+{
+    const hw::FolderHandle folder = hw::user_cache_folder();
+    const std::vector<std::byte> bytes(100);
+    const auto is_there = [&](const std::string& name) { return fs::exists(folder.path() / name); };
+    for (int i = 0; i < 4; ++i) {
+        folder.write(std::to_string(i), bytes);
+        fs::last_write_time(folder.path() / std::to_string(i),
+                            fs::file_time_type::clock::now() - std::chrono::hours(9 - i));
+    }
+    fs::create_symlink("/etc/hostname", folder.path() / "link");
+    hw::note_use(folder, "0");
+    hw::keep_recent(folder, 250);
+    EXPECT_TRUE(is_there("0")) << "used just now";
+    EXPECT_FALSE(is_there("1"));
+    EXPECT_FALSE(is_there("2"));
+    EXPECT_TRUE(is_there("3"));
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "link")) << "what is no file of ours stays";
+    hw::keep_recent(folder, 10);
+    EXPECT_TRUE(is_there("0")) << "the newest stays, however large";
+    EXPECT_FALSE(is_there("3"));
 }

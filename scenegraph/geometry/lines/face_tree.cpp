@@ -36,12 +36,13 @@ void FaceTree::build(std::uint32_t begin, std::uint32_t end)
     build(middle, end);
 }
 
-void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found) const
+void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found, std::size_t most) const
 {
+    const std::size_t enough = found.size() + std::min(most, boxes_.size());
     std::array<std::uint32_t, kMostOpen> open;
     std::size_t count = 0;
     if (!nodes_.empty()) open[count++] = 0;
-    while (count > 0) {
+    while (count > 0 && found.size() < enough) {
         const std::uint32_t at = open[--count];
         const Node& node = nodes_[at];
         if (!node.box.overlaps(box)) continue;

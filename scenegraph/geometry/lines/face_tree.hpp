@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,8 +14,9 @@ class FaceTree {
  public:
     explicit FaceTree(std::vector<Box> boxes);
 
-    /// Appends the numbers of the boxes that meet `box`, in no order.
-    void find(const Box& box, std::vector<std::uint32_t>& found) const;
+    /// Appends the numbers of the boxes that meet `box`, in no order; about `most` where there are more.
+    void find(const Box& box, std::vector<std::uint32_t>& found,
+              std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
  private:
     struct Node {

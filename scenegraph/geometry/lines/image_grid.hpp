@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hatchway/geometry/lines/image_space.hpp"
+#include "hatchway/geometry/lines/line_work.hpp"
 
 namespace hw {
 
@@ -49,11 +50,20 @@ class ImageGrid {
     /// Puts items into marked cells whose segments are not all nearer: `cells_of(item, visit)` calls
     /// `visit(cell, nearest)` for the cells of each and how near it comes. Twice called for each item.
     template <typename CellsOf>
-    void fill(std::uint32_t item_count, CellsOf&& cells_of)
+    void fill(std::uint32_t item_count, LineWork& work, CellsOf&& cells_of)
     {
+        constexpr std::uint64_t kStepsOfPlace = 8;  // an item in a cell takes memory, too
         begin_.assign(std::size_t{columns_} * rows_ + 1, 0);
-        for (std::uint32_t item = 0; item < item_count; ++item)
-            cells_of(item, [&](std::uint32_t cell, float nearest) { begin_[cell + 1] += nearest >= marks_[cell]; });
+        for (std::uint32_t item = 0; item < item_count; ++item) {
+            std::uint64_t looked_at = 0, placed = 0;
+            cells_of(item, [&](std::uint32_t cell, float nearest) {
+                const bool is_placed = nearest >= marks_[cell];
+                begin_[cell + 1] += is_placed;
+                placed += is_placed;
+                ++looked_at;
+            });
+            work.spend(looked_at + kStepsOfPlace * placed);
+        }
         for (std::size_t cell = 1; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
         items_.resize(begin_.back());
         std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);

@@ -26,7 +26,8 @@ constexpr double kOnePlace = 1e-12;  // in sizes of the objects: cuts this short
 // Work of all pairs together: so many boxes looked at, or fewer where faces are tested and cut each other.
 constexpr std::uint64_t kMostWork = 400'000'000;
 constexpr std::uint64_t kWorkOfTest = 16, kWorkOfCut = 200;
-constexpr std::uint64_t kFacesOfWork = 8;  // faces that are passed over cost less than boxes that are compared
+constexpr std::uint64_t kFacesOfWork = 8;      // faces that are passed over cost less than boxes that are compared
+constexpr std::size_t kMostFaces = 8'000'000;  // of all objects; each takes over a hundred bytes
 constexpr std::size_t kPairsAtOnce = 16;
 constexpr double kNearlyCoplanar = 0.01;  // sine of the angle below which faces that touch only graze each other
 
@@ -56,7 +57,7 @@ void find_meeting_components(Placed& object)
     std::vector<std::uint32_t> found;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         found.clear();
-        tree.find(boxes[i], found);
+        tree.find(boxes[i], found, 2);
         object.does_meet_component[i] = found.size() > 1;  // one is itself
     }
 }
@@ -360,7 +361,8 @@ using Pair = std::array<std::uint32_t, 2>;
 std::vector<Pair> meeting_pairs(std::span<const LineObject> objects, const std::vector<Placed>& world,
                                 std::uint64_t& left_out)
 {
-    constexpr std::size_t kMostPairs = kMostWork / kWorkOfCut;
+    constexpr std::size_t kMostPairs = kMostWork / kWorkOfCut, kMostFound = 20'000'000;
+    std::size_t found_left = kMostFound;
     std::vector<Box> boxes;
     for (const Placed& object : world) boxes.push_back(object.box);
     const FaceTree tree(std::move(boxes));
@@ -369,7 +371,12 @@ std::vector<Pair> meeting_pairs(std::span<const LineObject> objects, const std::
     for (std::uint32_t a = 0; a < objects.size(); ++a) {
         if (shows_intersections(objects[a]) && objects[a].surface->components.size() > 1) pairs.push_back({a, a});
         found.clear();
-        tree.find(world[a].box, found);
+        tree.find(world[a].box, found, found_left);
+        found_left -= std::min(found_left, found.size());
+        if (found_left == 0) {
+            left_out += objects.size() - a;
+            break;
+        }
         std::sort(found.begin(), found.end());
         for (const std::uint32_t b : found) {
             if (b <= a || !(shows_intersections(objects[a]) || shows_intersections(objects[b]))) continue;
@@ -407,6 +414,13 @@ CutsAtOnce cuts_of(const std::vector<Placed>& world, std::span<const Pair> pairs
 std::vector<IntersectionLine> find_intersections(std::span<const LineObject> objects,
                                                  const IntersectionOptions& options)
 {
+    std::size_t faces = 0;
+    for (const LineObject& object : objects) faces += object.surface->faces.size();
+    if (faces > kMostFaces) {
+        log_warning(
+            fmt::format("{} triangles are too many for lines where objects cut each other; they are left out", faces));
+        return {};
+    }
     std::vector<Placed> world(objects.size());
     tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) { world[i] = placed(objects[i]); });
     std::uint64_t left_out = 0;
@@ -427,7 +441,7 @@ std::vector<IntersectionLine> find_intersections(std::span<const LineObject> obj
     }
     if (left_out > 0)
         log_warning(
-            fmt::format("{} of {} pairs of objects that may cut each other are left without lines there: the "
+            fmt::format("{} of {} or more pairs of objects that may cut each other are left without lines there: the "
                         "work for all would be too much",
                         left_out, pair_count));
     return lines;

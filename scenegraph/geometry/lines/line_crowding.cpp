@@ -147,6 +147,13 @@ std::vector<CrowdingLine> crowding_lines(const Surface& surface, float crease_ra
     return lines;
 }
 
+std::size_t LineCrowding::bytes() const
+{
+    std::size_t sum = 0;
+    for (const Lengths& scale : scales_) sum += scale.bytes();
+    return sum;
+}
+
 LineCrowding::Lengths::Lengths(float cell, std::size_t sample_count) : cell_(cell)
 {
     std::size_t size = 64;

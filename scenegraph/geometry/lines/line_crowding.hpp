@@ -37,6 +37,8 @@ class LineCrowding {
     /// Object space, any number of lines.
     explicit LineCrowding(std::span<const CrowdingLine> lines);
 
+    std::size_t bytes() const;
+
     /// The smallest window; the others are 4, 16 and 64 times as wide. Object space; above 0.
     float window() const { return window_; }
 
@@ -54,6 +56,7 @@ class LineCrowding {
      public:
         explicit Lengths(float cell, std::size_t sample_count);
         void add(const glm::vec3& place, float length);
+        std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
         /// Lines across a window around a place.
         float lines_at(const glm::vec3& place) const;
 

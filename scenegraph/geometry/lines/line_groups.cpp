@@ -4,10 +4,12 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <mutex>
 #include <unordered_map>
@@ -17,7 +19,8 @@ namespace {
 
 constexpr double kDriftPerLength = 1e-6;  // lines of rounded ends turn a little
 constexpr std::uint32_t kMostSamples = 4096;
-constexpr std::size_t kMostPairs = 65536;  // kept before they are joined
+constexpr std::size_t kMostPairs = 65536;             // kept before they are joined
+constexpr std::uint64_t kMostCompared = 200'000'000;  // segments with ends; past that none is grouped
 
 double length_of(const Segment& segment)
 {
@@ -57,6 +60,8 @@ class LineGroups {
     std::vector<std::vector<std::uint32_t>> run()
     {
         strew();
+        compared_ = comparisons();
+        if (compared_ > kMostCompared) return {};
         tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(segments_.size())),
                           [&](const auto& range) { join_all(range.begin(), range.end()); });
         std::vector<std::uint32_t> count(segments_.size(), 0);
@@ -125,14 +130,43 @@ class LineGroups {
         join_found();
     }
 
-    /// Samples are half a cell apart, so that a point of a segment is within a quarter of a cell of one of them.
+    /// How many segments find_at() looks at for all ends.
+    std::uint64_t comparisons() const
+    {
+        const auto at_cell = [&](std::uint64_t cell) -> std::uint64_t {
+            const auto found = first_.find(cell);
+            if (found == first_.end()) return 0;
+            const auto begin = entries_.begin() + found->second;
+            const auto is_before = [](std::uint64_t key, const Entry& entry) { return key < entry.cell; };
+            return static_cast<std::uint64_t>(std::upper_bound(begin, entries_.end(), cell, is_before) - begin);
+        };
+        return tbb::parallel_reduce(
+            tbb::blocked_range<std::size_t>(0, segments_.size()), std::uint64_t{0},
+            [&](const auto& range, std::uint64_t sum) {
+                for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                    if (!is_used(static_cast<std::uint32_t>(i))) continue;
+                    for (const glm::dvec3& end : {segments_[i].from, segments_[i].to})
+                        for_each_cell_near(end, [&](std::uint64_t cell) { sum += at_cell(cell); });
+                }
+                return sum;
+            },
+            std::plus<>());
+    }
+
     void find_at(std::uint32_t index, const glm::dvec3& end, Pairs& pairs) const
+    {
+        for_each_cell_near(end, [&](std::uint64_t cell) { find_in_cell(index, end, cell, pairs); });
+    }
+
+    /// Samples are half a cell apart, so that a point of a segment is within a quarter of a cell of one of them.
+    template <typename Visit>
+    void for_each_cell_near(const glm::dvec3& end, const Visit& visit) const
     {
         const double reach = 0.25 * cell_ + tolerance_;
         const glm::dvec3 low = glm::floor((end - reach) / cell_), high = glm::floor((end + reach) / cell_);
         for (double x = low.x; x <= high.x; ++x) {
             for (double y = low.y; y <= high.y; ++y) {
-                for (double z = low.z; z <= high.z; ++z) find_in_cell(index, end, cell_key({x, y, z}), pairs);
+                for (double z = low.z; z <= high.z; ++z) visit(cell_key({x, y, z}));
             }
         }
     }
@@ -154,9 +188,10 @@ class LineGroups {
 
     /// Short segments around a curve are pairwise on one line and yet not all: only what lies on the longest is a
     /// group.
-    void split_into_lines(std::vector<std::uint32_t> members, std::vector<std::vector<std::uint32_t>>& groups) const
+    void split_into_lines(std::vector<std::uint32_t> members, std::vector<std::vector<std::uint32_t>>& groups)
     {
-        while (members.size() > 1) {
+        while (members.size() > 1 && compared_ < kMostCompared) {
+            compared_ += members.size();
             const std::uint32_t longest = *std::max_element(members.begin(), members.end(), [&](auto a, auto b) {
                 return length_of(segments_[a]) < length_of(segments_[b]);
             });
@@ -188,6 +223,7 @@ class LineGroups {
     std::vector<Entry> entries_;
     std::unordered_map<std::uint64_t, std::uint32_t> first_;
     std::mutex joining_;  // guards root_
+    std::uint64_t compared_ = 0;
 };
 
 }  // namespace

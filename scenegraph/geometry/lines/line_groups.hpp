@@ -15,7 +15,7 @@ struct Segment {
 
 /// Groups the segments that overlap or meet and lie on one line, within `tolerance`. Returns lists of
 /// segment numbers, only those of two and more, in the order of their first member. Segments shorter than the tolerance
-/// are left out.
+/// are left out. Past a fixed amount of work nothing more is grouped.
 std::vector<std::vector<std::uint32_t>> group_by_line(std::span<const Segment> segments, double tolerance);
 
 }  // namespace hw

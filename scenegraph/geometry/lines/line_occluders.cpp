@@ -15,6 +15,7 @@ constexpr double kContactTolerance = 2e-7;  // relative to the distance: objects
 constexpr double kEndSlack = 1e-7;          // a face that is met this close to an end of a line cuts off nothing
 constexpr double kPlaceError = 1e-14;       // relative: 90 units in the last place
 constexpr double kDepthError = 1e-14;
+constexpr std::uint64_t kStepsOfCut = 8;
 constexpr std::uint32_t kFacesPerTask = 2048;
 
 /// Where a point of the picture lies in a triangle: twice the areas opposite to c, a and b.
@@ -118,9 +119,10 @@ double reach_of(const ImageTriangle& triangle)
 
 }  // namespace
 
-LineOccluders::LineOccluders(const LineDrawing& drawing, const ImageSpace& space)
+LineOccluders::LineOccluders(const LineDrawing& drawing, const ImageSpace& space, LineWork& work)
     : drawing_(drawing),
       space_(space),
+      work_(work),
       place_error_px_(kPlaceError * space.reach_px()),
       grid_(space.size_px(), cell_px(drawing, space))
 {
@@ -131,7 +133,7 @@ void LineOccluders::fill()
     for (const DrawnLine& line : drawing_.lines) grid_.mark(line.image.from, line.image.to);
     grid_.end_marks();
     select_faces();
-    grid_.fill(static_cast<std::uint32_t>(triangles_.size()), [&](std::uint32_t i, auto&& visit) {
+    grid_.fill(static_cast<std::uint32_t>(triangles_.size()), work_, [&](std::uint32_t i, auto&& visit) {
         grid_.for_each_cell(triangles_[i], [&](std::uint32_t cell) { visit(cell, bounds_[i].nearest); });
     });
 }
@@ -173,7 +175,9 @@ void LineOccluders::cut(const ImageLine& line, const ImageBounds& bounds, float 
                         std::vector<double>& cuts) const
 {
     seen.begin_line(triangles_.size());
+    std::uint64_t looked_at = 0;
     grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
+        looked_at += 1 + grid_.items(cell).size();
         for (const std::uint32_t item : grid_.items(cell)) {
             if (!bounds_[item].can_change(bounds, farthest) || !seen.is_first(item)) continue;
             const ImageTriangle& triangle = triangles_[item];
@@ -184,6 +188,7 @@ void LineOccluders::cut(const ImageLine& line, const ImageBounds& bounds, float 
             if (Sides(triangle, at.x, at.y).are_inside()) cuts.push_back(t);
         }
     });
+    work_.spend(looked_at + kStepsOfCut * cuts.size());
 }
 
 bool LineOccluders::hides(const ImageTriangle& triangle, const ImagePoint& point, const DrawnLine& line) const
@@ -220,6 +225,7 @@ bool LineOccluders::hides_in_doubt(const ImageTriangle& triangle, const DrawnLin
 
 bool LineOccluders::is_hidden(const ImagePoint& point, const DrawnLine& line) const
 {
+    work_.spend(1 + grid_.items(grid_.cell_at(point.x, point.y)).size());
     // Floats rounded upward: what is not nearer than the point by its own rounding cannot be before it.
     for (const std::uint32_t item : grid_.items(grid_.cell_at(point.x, point.y))) {
         if (bounds_[item].nearest < point.z || !bounds_[item].has(point.x, point.y)) continue;
@@ -232,6 +238,7 @@ bool LineOccluders::is_hidden(const ImagePoint& point, const DrawnLine& line) co
 bool LineOccluders::is_behind_one_face(const ImagePoint& from, const ImagePoint& to, const DrawnLine& line) const
 {
     const double farthest = std::min(from.z, to.z);
+    work_.spend(1 + grid_.items(grid_.cell_at(from.x, from.y)).size());
     for (const std::uint32_t item : grid_.items(grid_.cell_at(from.x, from.y))) {
         const ImageBounds& bounds = bounds_[item];
         if (bounds.nearest < farthest || !bounds.has(from.x, from.y) || !bounds.has(to.x, to.y)) continue;

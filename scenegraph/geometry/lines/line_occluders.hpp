@@ -62,8 +62,8 @@ class SeenItems {
 /// that objects in contact do not hide each other's lines by chance.
 class LineOccluders {
  public:
-    /// Both must outlive this.
-    LineOccluders(const LineDrawing& drawing, const ImageSpace& space);
+    /// All must outlive this. What is looked at is spent of `work`.
+    LineOccluders(const LineDrawing& drawing, const ImageSpace& space, LineWork& work);
 
     void fill();
 
@@ -85,6 +85,7 @@ class LineOccluders {
 
     const LineDrawing& drawing_;
     const ImageSpace& space_;
+    LineWork& work_;
     double place_error_px_;
     ImageGrid grid_;
     /// Faces that lines pass over in the picture.

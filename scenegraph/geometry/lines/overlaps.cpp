@@ -8,7 +8,9 @@
 namespace hw {
 namespace {
 
-constexpr double kBeyond = 4.0;  // in tolerances: how far beyond the line the surface is looked for
+constexpr std::size_t kMostTriangles = 4'000'000;  // of all objects; past that all lines stay
+constexpr std::uint64_t kMostOfLine = 10'000'000;  // triangles and pairs of faces looked at; the rest of it stays
+constexpr double kBeyond = 4.0;                    // in tolerances: how far beyond the line the surface is looked for
 
 /// The part of the way a..b, in [0, 1], that is inside of a triangle in one plane with it.
 std::optional<Interval> part_inside(const glm::dvec3& a, const glm::dvec3& b, const std::array<glm::dvec3, 3>& corners,
@@ -50,6 +52,10 @@ Overlaps::Overlaps(std::span<const SeamObject> objects, const SeamOptions& optio
 std::vector<Overlaps::Triangle> Overlaps::triangles_of(std::span<const SeamObject> objects)
 {
     std::vector<Triangle> triangles;
+    std::size_t count = 0;
+    for (const SeamObject& object : objects) count += object.surface->faces.size();
+    if (count > kMostTriangles) return triangles;
+    triangles.reserve(count);
     for (const SeamObject& object : objects) {
         const double side = glm::determinant(glm::dmat3(object.world_from_object)) < 0.0 ? -1.0 : 1.0;
         const Surface& surface = *object.surface;
@@ -123,6 +129,8 @@ std::uint64_t Overlaps::find(const glm::dvec3& from, const glm::dvec3& to, std::
     if (length <= kBeyond * tolerance) return looked_at;
     const glm::dvec3 along = (to - from) / length;
     for (const FaceAtSegment& face : faces) {
+        looked_at += faces.size();
+        if (looked_at > kMostOfLine) break;
         const bool is_outermost = std::all_of(faces.begin(), faces.end(), [&](const FaceAtSegment& other) {
             const double before = glm::dot(face.normal, other.apex - from);
             return before <= tolerance && (!face.is_two_sided || before >= -tolerance);

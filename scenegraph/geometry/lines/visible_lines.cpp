@@ -43,7 +43,9 @@ struct LinePart {
 class HiddenLines {
  public:
     HiddenLines(LineDrawing drawing, const ImageSpace& space)
-        : drawing_(std::move(drawing)), occluders_(drawing_, space), contour_grid_(space.size_px(), kContourCellPx)
+        : drawing_(std::move(drawing)),
+          occluders_(drawing_, space, work_),
+          contour_grid_(space.size_px(), kContourCellPx)
     {
         tbb::parallel_invoke([&] { occluders_.fill(); }, [&] { fill_contours(); });
     }
@@ -74,10 +76,11 @@ class HiddenLines {
         contour_grid_.end_marks();
         contour_bounds_.reserve(drawing_.contours.size());
         for (const ContourLine& c : drawing_.contours) contour_bounds_.push_back(ImageBounds::of({c.from, c.to}));
-        contour_grid_.fill(static_cast<std::uint32_t>(drawing_.contours.size()), [&](std::uint32_t i, auto&& visit) {
-            contour_grid_.for_each_cell(drawing_.contours[i].from, drawing_.contours[i].to,
-                                        [&](std::uint32_t cell) { visit(cell, contour_bounds_[i].nearest); });
-        });
+        contour_grid_.fill(
+            static_cast<std::uint32_t>(drawing_.contours.size()), work_, [&](std::uint32_t i, auto&& visit) {
+                contour_grid_.for_each_cell(drawing_.contours[i].from, drawing_.contours[i].to,
+                                            [&](std::uint32_t cell) { visit(cell, contour_bounds_[i].nearest); });
+            });
     }
 
     void look_at(std::uint32_t index, CutScratch& scratch, std::vector<LinePart>& parts) const
@@ -143,7 +146,9 @@ class HiddenLines {
     void cut_by_contours(const ImageLine& line, const ImageBounds& bounds, float farthest, CutScratch& scratch) const
     {
         scratch.contours.begin_line(drawing_.contours.size());
+        std::uint64_t looked_at = 0;
         contour_grid_.for_each_cell(line.from, line.to, [&](std::uint32_t cell) {
+            looked_at += 1 + contour_grid_.items(cell).size();
             for (const std::uint32_t item : contour_grid_.items(cell)) {
                 if (!contour_bounds_[item].can_change(bounds, farthest) || !scratch.contours.is_first(item)) continue;
                 const ContourLine& contour = drawing_.contours[item];
@@ -159,9 +164,11 @@ class HiddenLines {
                 if (contour_z > glm::mix(line.from.z, line.to.z, t) * (1.0 - kContourSlack)) scratch.cuts.push_back(t);
             }
         });
+        work_.spend(looked_at);
     }
 
     LineDrawing drawing_;
+    mutable LineWork work_;
     LineOccluders occluders_;
     ImageGrid contour_grid_;
     std::vector<ImageBounds> contour_bounds_;
@@ -199,11 +206,22 @@ std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenL
     return lines;
 }
 
+/// Before anything is allocated.
+void require_room(std::span<const LineObject> objects)
+{
+    constexpr std::uint64_t kBytesOfPosition = 48, kBytesOfFace = 120;
+    std::uint64_t bytes = 0;
+    for (const LineObject& object : objects)
+        bytes += kBytesOfPosition * object.surface->positions.size() + kBytesOfFace * object.surface->faces.size();
+    Budget().require(Cost::line_bytes, bytes, "", "");
+}
+
 }  // namespace
 
 std::vector<VisibleLine> find_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
                                             const VisibleLineOptions& options)
 {
+    require_room(objects);
     const ImageSpace space(camera);
     const HiddenLines hidden(gather_lines(objects, space, options), space);
     return joined_lines(hidden.run(), hidden, options.with_hidden);

@@ -79,7 +79,8 @@ struct VisibleLine {
 /// distance, so that lines on a face and on a neighbour's coplanar face stay visible (line_occluders.hpp). Pieces are
 /// joined to polylines at common vertices.
 ///
-/// The result is sorted by object, set and class and does not depend on the number of threads.
+/// The result is sorted by object, set and class and does not depend on the number of threads. Throws hw::Error where
+/// a budget of bytes or steps runs out (core/budget.hpp).
 /// Source: Appel. The Notion of Quantitative Invisibility and the Machine Rendering of Solids. ACM 1967, for where
 /// visibility changes.
 std::vector<VisibleLine> find_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,

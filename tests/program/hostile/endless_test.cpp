@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <random>
 
+#include "hatchway/io/images/images.hpp"
 #include "tests/io/gltf/model_builder.hpp"
 #include "tests/program/run_program.hpp"
 
@@ -87,6 +88,15 @@ class endless : public Test {
         EXPECT_NE(result.err.find(words), std::string::npos) << result.err.substr(0, 2000);
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err.substr(0, 2000);
     }
+    /// A result, or one message that says how to raise the limit.
+    void expect_ends(const ProgramResult& result)
+    {
+        if (result.exit_code != 0) expect_message(result, "--budget-factor");
+    }
+    ProgramResult lines_of(const std::string& file)
+    {
+        return run({"lines", file, "--style", "*=pen_and_ink", "--out", folder_ / "lines.svg"});
+    }
     ProgramResult map_of(const std::string& view_box, const std::string& body)
     {
         const std::string text = "<svg viewBox=\"" + view_box + "\">" + body + "</svg>";
@@ -119,6 +129,19 @@ TEST_F(endless, ninety_thousand_strokes)
     std::string path;
     for (int i = 0; i < 90'000; ++i) path += "M" + std::to_string(i % 100) + " " + std::to_string(i / 100 % 100) + "h1";
     EXPECT_EQ(map_of("0 0 100 100", "<path d=\"" + path + "\"/>").exit_code, 0);
+}
+
+TEST_F(endless, a_bitmap_of_noise_and_one_of_ink_alone)
+{
+    hw::Pixels noise{.width = 3000, .height = 3000, .channels = 1, .bytes = std::vector<std::uint8_t>(3000 * 3000, 0)};
+    const auto map = [&] {
+        hw::write_png(folder_ / "drawing.png", noise);
+        return run({"map", "ink", folder_ / "drawing.png", "--out", folder_ / "map"});
+    };
+    expect_ends(map());
+    Random random;
+    for (std::uint8_t& value : noise.bytes) value = random.next() < 0.5f ? 0 : 255;
+    expect_message(map(), "strokes");
 }
 
 TEST_F(endless, boxes_that_lie_into_each_other)
@@ -197,6 +220,59 @@ TEST_F(endless, a_mesh_that_nodes_repeat)
     const std::string file = model(triangles, nodes);
     expect_message(run({"check", file}), "too many drawn triangles");
     EXPECT_NE(run({"check", file}).err.find("--budget-factor"), std::string::npos) << "how to raise it is said";
+}
+
+TEST_F(endless, lines_of_objects_at_one_place)
+{
+    expect_ends(lines_of(model(box(0.5f), json(2000, {{"mesh", 0}}))));
+}
+
+TEST_F(endless, faces_around_one_edge)
+{
+    Triangles triangles;
+    for (int i = 0; i < 20'000; ++i) {
+        const float angle = static_cast<float>(i) * 6.2831853f / 20'000.0f;
+        add_triangle(triangles, {0, 0, 0}, {0, 1, 0}, {std::cos(angle), 0.5f, std::sin(angle)});
+    }
+    const std::string file = model(triangles);
+    expect_opens(file);
+    expect_ends(lines_of(file));
+}
+
+TEST_F(endless, one_face_fifty_thousand_times)
+{
+    Triangles triangles;
+    for (int i = 0; i < 50'000; ++i) add_triangle(triangles, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    expect_ends(lines_of(model(triangles)));
+}
+
+TEST_F(endless, objects_of_which_every_face_crosses_all_places)
+{
+    Random random;
+    Triangles triangles;
+    for (int i = 0; i < 500; ++i) add_triangle(triangles, random.point(), random.point(), random.point());
+    json nodes = json::array();
+    for (int i = 0; i < 1000; ++i)
+        nodes.push_back({{"mesh", 0}, {"translation", {2 * random.next(), 2 * random.next(), 2 * random.next()}}});
+    expect_opens(model(triangles, nodes));
+}
+
+TEST_F(endless, a_sealed_level_that_is_too_fine_for_the_search_is_not_told_to_be_sealed)
+{
+    Random random;
+    Triangles triangles;
+    for (int i = 0; i < 3000; ++i)
+        add_triangle(triangles, 2.0f * random.point() - 1.0f, 2.0f * random.point() - 1.0f,
+                     2.0f * random.point() - 1.0f);
+    model(triangles, {{{"mesh", 0}}}, true);
+    const json level = {{"format", "hatchway-level/1"},
+                        {"scene", "model.glb"},
+                        {"sealed", true},
+                        {"start", {{"position", {0, 0, 0}}, {"look_at", {1, 0, 0}}}}};
+    const ProgramResult result = run({"check", folder_.write("sealed.level.json", level.dump())});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("too fine for the search for leaks"), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("is sealed"), std::string::npos) << result.err;
 }
 
 TEST_F(endless, a_thousand_rules_over_five_thousand_nodes)

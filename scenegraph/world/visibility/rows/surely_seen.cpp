@@ -9,7 +9,7 @@ namespace {
 constexpr int kLinesPerRound = 64;
 constexpr int kMostRounds = 16;
 constexpr int kMostLeavesOnWay = 400;
-constexpr std::size_t kMostTests = 256'000'000;  // portals asked, by the lines of all sources
+constexpr std::size_t kMostTests = 160'000'000;  // portals asked, by the lines of all sources
 
 /// SplitMix64: small, and the same on every machine.
 class Dice {
@@ -91,9 +91,9 @@ LeafBits surely_seen(const FlowGraph& graph, const FlowPortal& source)
     Dice dice(static_cast<std::uint64_t>(source.to_leaf) + 1);
     const std::size_t most_tests = kMostTests / graph.portals.size();
     std::size_t tests = 0;
-    for (int round = 0; round < kMostRounds && tests < most_tests; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
         int found = 0;
-        for (int line = 0; line < kLinesPerRound; ++line) {
+        for (int line = 0; line < kLinesPerRound && tests < most_tests; ++line) {
             const glm::dvec3 from = point_in(source.winding, dice);
             const glm::dvec3 way = direction_through(source.plane, dice);
             Place place{source.to_leaf, 0.0};

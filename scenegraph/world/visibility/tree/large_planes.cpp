@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kNormalCell = 1.0 / 64.0;
 constexpr double kOffsetCellM = 0.1;
+constexpr int kPlaceBits = 22;
 
 constexpr std::array<double, 2> kShifts{0.0, 0.5};
 
@@ -33,7 +35,7 @@ LargePlanes::Facet LargePlanes::facet_of(const GridTriangle& triangle) const
     return {normal, -glm::dot(normal, a), 0.5 * length};
 }
 
-std::uint64_t LargePlanes::key(const Facet& facet, double shift)
+std::size_t LargePlanes::place(const Facet& facet, double shift)
 {
     std::uint64_t hash = 0;
     for (const double place : {facet.normal.x / kNormalCell, facet.normal.y / kNormalCell, facet.normal.z / kNormalCell,
@@ -42,20 +44,23 @@ std::uint64_t LargePlanes::key(const Facet& facet, double shift)
         hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x9e3779b97f4a7c15ull;
         hash ^= hash >> 29;
     }
-    return hash;
+    return static_cast<std::size_t>(hash >> (64 - kPlaceBits));
 }
 
 void LargePlanes::add_area(const GridTriangle& triangle)
 {
     const Facet facet = facet_of(triangle);
-    for (std::size_t i = 0; i < kShifts.size(); ++i) areas_[i][key(facet, kShifts[i])] += facet.area;
+    for (std::size_t i = 0; i < kShifts.size(); ++i) {
+        areas_[i].resize(std::size_t{1} << kPlaceBits);
+        areas_[i][place(facet, kShifts[i])] += facet.area;
+    }
 }
 
 double LargePlanes::area_of(const GridTriangle& triangle) const
 {
     if (triangle.is_named) return std::numeric_limits<double>::infinity();
     const Facet facet = facet_of(triangle);
-    return std::max(areas_[0].at(key(facet, kShifts[0])), areas_[1].at(key(facet, kShifts[1])));
+    return std::max(areas_[0][place(facet, kShifts[0])], areas_[1][place(facet, kShifts[1])]);
 }
 
 void LargePlanes::rank(const GridTriangle& triangle)

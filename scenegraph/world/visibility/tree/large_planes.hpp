@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <unordered_map>
 #include <vector>
 
 #include "hatchway/world/visibility/tree/coplanar.hpp"
@@ -30,11 +28,12 @@ class LargePlanes {
         double offset_m = 0.0;
         double area = 0.0;
     };
-    /// Facets by cells; two sets, half a cell apart, since mates may lie on either side of a border.
-    using AreaOfCells = std::unordered_map<std::uint64_t, double>;
+    /// Facets by cells; two sets, half a cell apart, since mates may lie on either side of a border. Of fixed size:
+    /// cells that fall together are seldom large both.
+    using AreaOfCells = std::vector<double>;
 
     Facet facet_of(const GridTriangle& triangle) const;
-    static std::uint64_t key(const Facet& facet, double shift);
+    static std::size_t place(const Facet& facet, double shift);
     double area_of(const GridTriangle& triangle) const;
 
     double step_m_;

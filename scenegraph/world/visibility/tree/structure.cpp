@@ -32,28 +32,51 @@ bool mark_named(const std::string& pattern, const Scene& scene, std::uint64_t& s
     return is_used;
 }
 
-/// Shows each triangle that may block sight: opaque and static ones.
+/// Shows each triangle that may block sight: opaque and static ones. Of more than kMostShown only the objects with the
+/// fewest.
 class BlockingTriangles {
  public:
     BlockingTriangles(const Scene& scene, const Level& level, const Grid& grid)
         : scene_(scene), grid_(grid), is_named_node_(structure_nodes(scene, level)), open_backs_(find_open_backs(scene))
     {
+        std::size_t most = 0;  // of one object
+        std::vector<std::size_t> counts;
+        visit_objects([&](ObjectId id) { counts.push_back(triangle_count(id)); });
+        std::sort(counts.begin(), counts.end());
+        for (const std::size_t count : counts) {
+            all_count_ += count;
+            if (all_count_ <= kMostShown) most = count;
+        }
+        most_of_object_ = all_count_ <= kMostShown ? all_count_ : most;
+        visit_chosen([&](ObjectId id) { count_ += triangle_count(id); });
     }
 
-    std::size_t count() const
-    {
-        std::size_t sum = 0;
-        visit_objects([&](ObjectId id) { sum += mesh_of(id).indices.size() / 3; });
-        return sum;
-    }
+    std::size_t count() const { return count_; }
+    std::size_t all_count() const { return all_count_; }
 
     template <typename Visit>
     void visit(const Visit& visit) const
     {
-        visit_objects([&](ObjectId id) { visit_object(id, visit); });
+        visit_chosen([&](ObjectId id) { visit_object(id, visit); });
     }
 
  private:
+    static constexpr std::size_t kMostShown = 12'000'000;
+
+    std::size_t triangle_count(ObjectId id) const { return mesh_of(id).indices.size() / 3; }
+
+    template <typename Visit>
+    void visit_chosen(const Visit& visit) const
+    {
+        std::size_t left = kMostShown;
+        visit_objects([&](ObjectId id) {
+            const std::size_t count = triangle_count(id);
+            if (count > most_of_object_ || count > left) return;
+            left -= count;
+            visit(id);
+        });
+    }
+
     const MeshData& mesh_of(ObjectId id) const
     {
         return scene_.meshes[static_cast<std::size_t>(scene_.objects[id].mesh)];
@@ -94,6 +117,9 @@ class BlockingTriangles {
     const Grid& grid_;
     std::vector<char> is_named_node_;
     std::vector<bool> open_backs_;
+    std::size_t all_count_ = 0;
+    std::size_t count_ = 0;
+    std::size_t most_of_object_ = 0;  ///< Objects of more triangles are passed over.
 };
 
 /// About `most` of them, in their order: those in large planes. The others are never held.
@@ -262,7 +288,7 @@ Structure choose_structure(const Scene& scene, const Level& level, const Structu
 
     const BlockingTriangles all(scene, level, structure.grid);
     const std::vector<GridTriangle> triangles = chosen_triangles(all, options.max_triangles, structure.grid.step_m);
-    structure.left_out = all.count() - triangles.size();
+    structure.left_out = all.all_count() - triangles.size();
     std::vector<FlatPolygon> polygons = merge_coplanar(triangles, structure.grid.scaled(1e-5) / structure.grid.step_m);
     choose_polygons(polygons, level, options, structure);
     return structure;
