@@ -37,7 +37,7 @@ class LineCrowding {
     /// Object space, any number of lines.
     explicit LineCrowding(std::span<const CrowdingLine> lines);
 
-    std::size_t bytes() const;
+    std::size_t bytes() const;  ///< That this takes.
 
     /// The smallest window; the others are 4, 16 and 64 times as wide. Object space; above 0.
     float window() const { return window_; }
@@ -56,7 +56,7 @@ class LineCrowding {
      public:
         explicit Lengths(float cell, std::size_t sample_count);
         void add(const glm::vec3& place, float length);
-        std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
+        std::size_t bytes() const { return slots_.capacity() * sizeof(Slot) + bricks_.capacity() * sizeof(Brick); }
         /// Lines across a window around a place.
         float lines_at(const glm::vec3& place) const;
 
