@@ -79,8 +79,10 @@ class endless : public Test {
     }
     void expect_opens(const std::string& file)
     {
-        const ProgramResult result = run({"check", file});
-        EXPECT_EQ(result.exit_code, 0) << result.err.substr(0, 2000);
+        const ProgramResult checked = run({"check", file});
+        EXPECT_EQ(checked.exit_code, 0) << checked.err.substr(0, 2000);
+        const ProgramResult compiled = run({"compile", file});
+        EXPECT_EQ(compiled.exit_code, 0) << compiled.err.substr(0, 2000);
     }
     void expect_message(const ProgramResult& result, const std::string& words)
     {
