@@ -18,7 +18,7 @@ constexpr double kLeastHoleReach_m = 0.5;  // openings this near to a hole belon
 constexpr int kNoLeaf = -1;
 constexpr int kMostPolygons = 500'000;
 constexpr std::size_t kMostTriangles = 8'000'000;
-constexpr BspLimits kBspLimits{.most_leaves = 2'000'000, .least_leaves = 2'000'000, .most_steps = 400'000'000};
+constexpr BspLimits kBspLimits{.most_leaves = 300'000, .least_leaves = 300'000, .most_steps = 30'000'000};
 
 /// Sight from a leaf into its neighbour.
 struct Way {

