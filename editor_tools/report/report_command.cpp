@@ -15,11 +15,14 @@
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "program/commands.hpp"
+#include "program/output_files.hpp"
 #include "report/figures_in_text.hpp"
 #include "report/report_page.hpp"
 
 namespace hw {
 namespace {
+
+constexpr const char* kResults = "results";  // the folder of the JSON files, beside the page
 
 namespace fs = std::filesystem;
 
@@ -60,7 +63,7 @@ void run_measure(const ReportSection& section, const fs::path& json)
 
 MeasuredSection measured(const ReportSection& section, const ReportArguments& arguments)
 {
-    const fs::path json = arguments.out / (section.name + ".json");
+    const fs::path json = arguments.out / kResults / (section.name + ".json");
     MeasuredSection result{section, {}, ""};
     try {
         if (!arguments.is_reused) run_measure(section, json);
@@ -107,6 +110,7 @@ void write_report(const ReportArguments& arguments)
     const std::filesystem::path share = std::filesystem::proximate(installation_prefix() / "share" / "hatchway");
     const std::vector<ReportSection> plan = report_plan(share, arguments.data);
     refuse_unknown_sections(arguments.only, plan);
+    make_folder(arguments.out / kResults);
     std::vector<MeasuredSection> sections;
     for (const ReportSection& section : plan) {
         const auto& only = arguments.only;
@@ -117,7 +121,7 @@ void write_report(const ReportArguments& arguments)
                               static_cast<int>(std::thread::hardware_concurrency()), today()};
     const fs::path page = arguments.out / "index.html";
     write_file_atomically(page, report_page(origin, sections));
-    if (!arguments.pages.empty()) fill_pages(arguments.pages, arguments.out);
+    if (!arguments.pages.empty()) fill_pages(arguments.pages, arguments.out / kResults);
     print_line(page.string());
 }
 
@@ -128,7 +132,7 @@ void add_report_command(CommandLine app)
     auto arguments = std::make_shared<ReportArguments>();
     CommandLine command =
         app.add_subcommand("report", "Runs the measurements and makes one page of time against error");
-    command.add_option("--out", arguments->out, "An existing folder for index.html and the JSON files").required();
+    command.add_option("--out", arguments->out, "An existing folder for index.html and results/*.json").required();
     command.add_option("--data", arguments->data, "A folder with models/*.glb and scenes/*.glb to measure, too");
     command.add_option("--commit", arguments->commit, "The commit that is measured, for the page");
     command.add_option("--only", arguments->only, "Names of sections; default: all");

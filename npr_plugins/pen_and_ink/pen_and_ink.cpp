@@ -33,8 +33,7 @@ class PenAndInk final : public hw::Style {
         visitor.map({"hatch", "Hatch map of tone plain, where the level assigns none.", hw::ParamChange::rebuild},
                     hatch_, hw::MapKind::hatch);
         visitor.map(
-            {"tonal",
-             "Tonal map that hatches by light in place of computed strokes; of tone halftone a priority map.",
+            {"tonal", "Tonal map that hatches by light in place of computed strokes; of tone halftone a priority map.",
              hw::ParamChange::rebuild},
             tonal_, hw::MapKind::tonal);
         visitor.map({"ink", "Ink map: drawn detail such as courses of stone.", hw::ParamChange::rebuild}, ink_map_,

@@ -19,11 +19,11 @@ class ReportFolder {
  public:
     ReportFolder()
     {
-        fs::create_directories(folder_.path() / "report");
+        fs::create_directories(folder_.path() / "report/results");
         fs::create_directories(folder_.path() / "pages");
-        for (const auto& entry : fs::directory_iterator(kDocs / "report"))
+        for (const auto& entry : fs::directory_iterator(kDocs / "report/results"))
             if (entry.path().extension() == ".json")
-                fs::copy_file(entry.path(), folder_.path() / "report" / entry.path().filename());
+                fs::copy_file(entry.path(), folder_.path() / "report/results" / entry.path().filename());
     }
     fs::path page(const std::string& name) const { return folder_.path() / "pages" / name; }
     ProgramResult fill() const

@@ -140,9 +140,22 @@ TEST_F(baked_light, a_fine_mesh_shows_the_luxels_of_its_vertices)
 
 TEST_F(baked_light, within_a_fine_double_sided_mesh_its_back_shows_its_own)
 {
+    MeshData open = sphere_mesh(2.0f, 12);
+    open.indices.resize(open.indices.size() - 3);  // a closed one would be a solid
+    add_object(scene_, std::move(open), kHere, sheet());
+    fill_at_random(0.2);
+    ASSERT_TRUE(lightmap_.layouts[0].is_per_vertex);
+    ASSERT_EQ(lightmap_.places[0].sides, 2);
+    show();
+    expect_luxels_at({0.3, 0.4, 0.9});
+}
+
+TEST_F(baked_light, within_a_closed_double_sided_mesh_both_sides_show_the_light_outside)
+{
     add_object(scene_, sphere_mesh(2.0f, 12), kHere, sheet());
     fill_at_random(0.2);
     ASSERT_TRUE(lightmap_.layouts[0].is_per_vertex);
+    ASSERT_EQ(lightmap_.places[0].sides, 1);
     show();
     expect_luxels_at({0.3, 0.4, 0.9});
 }

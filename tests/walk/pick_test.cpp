@@ -21,7 +21,7 @@ hw::Scene sheets(const std::vector<glm::dmat4>& places)
     scene.materials.resize(1);
     for (const glm::dmat4& place : places) {
         scene.nodes.push_back({.world_from_node = place});
-        scene.objects.push_back({static_cast<int>(scene.nodes.size()) - 1, 0, 0, {}});
+        scene.objects.push_back({.node = static_cast<int>(scene.nodes.size()) - 1, .mesh = 0, .material = 0});
     }
     return scene;
 }

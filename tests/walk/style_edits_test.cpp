@@ -51,7 +51,7 @@ hw::Scene random_scene(std::mt19937& random)
         node.name = names[below(4)];
         node.path = (node.parent == hw::kNone ? "" : scene.nodes[node.parent].path + '/') + node.name;
         scene.nodes.push_back(node);
-        for (int k = below(4); k > 0; --k) scene.objects.push_back({i, 0, below(4), {}});
+        for (int k = below(4); k > 0; --k) scene.objects.push_back({.node = i, .mesh = 0, .material = below(4)});
     }
     return scene;
 }

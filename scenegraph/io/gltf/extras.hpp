@@ -1,10 +1,10 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "hatchway/io/json/fwd.hpp"
 #include "hatchway/world/scene.hpp"
 
 namespace hw {

@@ -27,7 +27,10 @@ glm::vec4 GpuLightmap::place(ObjectId object) const
 {
     const LightmapLayout& layout = lightmap_->layouts[scene_.objects[object].mesh];
     const std::size_t vertices = scene_.meshes[scene_.objects[object].mesh].positions.size();
-    const float to_back = layout.is_per_vertex ? static_cast<float>(vertices) : static_cast<float>(layout.size.x);
+    const bool has_back = lightmap_->places[object].sides == 2;
+    const float to_back = !has_back              ? 0.0f
+                          : layout.is_per_vertex ? static_cast<float>(vertices)
+                                                 : static_cast<float>(layout.size.x);
     return {glm::vec2(lightmap_->places[object].corner), to_back, 0.0f};
 }
 
