@@ -55,7 +55,8 @@ env -u DISPLAY -u WAYLAND_DISPLAY "$program" walk "$level" 2>log || status=$?
 [ "$status" = 2 ] || fail "without a display the exit code is $status, not 2"
 says display log || fail "the message does not speak of the display"
 
-Xvfb -displayfd 3 -screen 0 1024x768x24 3>display >/dev/null 2>&1 &
+# A server that resets when its last client is gone refuses the next one for a moment.
+Xvfb -noreset -displayfd 3 -screen 0 1024x768x24 3>display >/dev/null 2>&1 &
 xvfb=$!
 for _ in $(seq 50); do [ -s display ] && break; sleep 0.1; done
 [ -s display ] || { echo "skipped: Xvfb does not start here"; exit 77; }
