@@ -1,5 +1,7 @@
 #include "hatchway/drawing/object_lines.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -129,8 +131,9 @@ ObjectLines object_lines(const ObjectEdges& edges, const LineCrowding* crowding)
     if (crowding != nullptr) set_crowding(result.lines, *crowding);
     result.by_source.resize(result.lines.size());
     std::iota(result.by_source.begin(), result.by_source.end(), 0u);
-    std::sort(result.by_source.begin(), result.by_source.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return result.lines[a].source < result.lines[b].source; });
+    tbb::parallel_sort(result.by_source.begin(), result.by_source.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return result.lines[a].source < result.lines[b].source;
+    });
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "hatchway/geometry/lines/line_crowding.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,7 @@ std::vector<Sample> joined(std::vector<Sample> samples, float cell)
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     order.reserve(samples.size());
     for (std::uint32_t i = 0; i < samples.size(); ++i) order.emplace_back(key(samples[i]), i);
-    std::sort(order.begin(), order.end());
+    tbb::parallel_sort(order.begin(), order.end());
     std::vector<Sample> result;
     for (std::size_t begin = 0; begin < order.size();) {
         glm::dvec3 moment(0.0);

@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -103,7 +104,7 @@ class LineGroups {
                 last = key;
             }
         }
-        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+        tbb::parallel_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
             return a.cell != b.cell ? a.cell < b.cell : a.segment < b.segment;
         });
         first_.reserve(entries_.size());

@@ -1,5 +1,7 @@
 #include "hatchway/geometry/surface/surface.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -155,7 +157,7 @@ class SurfaceBuild {
             order[i] = {group_of(inner_[i]), i};
             surface_.report.artist_edges += inner_[i].is_artist;
         }
-        std::sort(order.begin(), order.end(), [&](const Placed& a, const Placed& b) {
+        tbb::parallel_sort(order.begin(), order.end(), [&](const Placed& a, const Placed& b) {
             if (a.group != b.group) return a.group < b.group;
             const float fold_a = inner_[a.index].fold_rad, fold_b = inner_[b.index].fold_rad;
             return fold_a != fold_b ? fold_a > fold_b : a.index < b.index;
