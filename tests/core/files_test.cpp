@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "hatchway/core/error.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -13,13 +14,7 @@ namespace fs = std::filesystem;
 /// Files in a folder of their own.
 class files : public testing::Test {
  protected:
-    files()
-    {
-        std::string name = (fs::temp_directory_path() / "hatchway_files_XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-        hw::write_file_atomically(folder_ / "old", std::string_view("old"));
-    }
-    ~files() override { fs::remove_all(folder_); }
+    files() { hw::write_file_atomically(folder_ / "old", std::string_view("old")); }
 
     std::string refusal(const std::string& name) const
     {
@@ -34,7 +29,8 @@ class files : public testing::Test {
     std::string text(const std::string& name) const { return hw::read_text_file(folder_ / name, 100); }
     std::ptrdiff_t entry_count() const { return std::distance(fs::directory_iterator(folder_), {}); }
 
-    fs::path folder_;
+    TemporaryFolder temporary_;
+    const fs::path folder_ = temporary_.path();
 };
 
 }  // namespace

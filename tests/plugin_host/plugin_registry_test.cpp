@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "tests/plugin_host/plugin_tests.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace hw;
 using namespace hw::test;
@@ -101,8 +102,8 @@ TEST(plugin_registry, a_plugin_is_found_only_as_its_own_kind)
 TEST(plugin_registry, a_fifo_a_folder_and_a_library_that_is_cut_off_are_left_out)
 {
     namespace fs = std::filesystem;
-    std::string name = (fs::temp_directory_path() / "hatchway_plugins_XXXXXX").string();
-    const fs::path folder = ::mkdtemp(name.data());
+    const TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     ASSERT_EQ(::mkfifo((folder / "fifo.so").c_str(), 0600), 0);
     fs::create_directory(folder / "folder.so");
     const auto whole_bytes = fs::file_size(kMisbehaving / "throws_in_make.so");
@@ -114,7 +115,6 @@ TEST(plugin_registry, a_fifo_a_folder_and_a_library_that_is_cut_off_are_left_out
     fs::copy_file(kMisbehaving / "throws_in_make.so", folder / "throws_in_make.so");
     set_log_level(LogLevel::off);
     const PluginRegistry registry({.has_installed = false, .folders = {folder}, .trial = Trial::none});
-    fs::remove_all(folder);
     EXPECT_THAT(registry.names(PluginKind::style), ElementsAre("throws_in_make")) << "the whole one is good";
     ASSERT_EQ(registry.refused().size(), 5u);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(registry.refused()[i].why, "the file is cut off");
