@@ -18,7 +18,7 @@ std::string compiled_level_name(const Level& level)
 {
     std::error_code failed;
     const std::string place = fs::weakly_canonical(fs::absolute(level.file, failed), failed).string();
-    return fmt::format("{:016x}.compiled", hash_bytes(std::as_bytes(std::span(place))));
+    return fmt::format("{:016x}.v{}.compiled", hash_bytes(std::as_bytes(std::span(place))), kCompiledLevelVersion);
 }
 
 std::optional<CompiledLevel> find_compiled_level(const FolderHandle& cache, const std::string& name, std::uint64_t key,

@@ -28,7 +28,8 @@ struct CompiledLevel {
     bool is_from_cache = false;  ///< Found, not made just now.
 };
 
-/// The file of a level in a cache folder: the same wherever the level is named from, another for each level.
+/// The file of a level in a cache folder: the same wherever the level is named from, another for each level and each
+/// version of the compiler.
 std::string compiled_level_name(const Level& level);
 
 /// The compiled level in a cache folder, if there is one with this key and at least this effort. A damaged one, or a
