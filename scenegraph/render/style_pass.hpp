@@ -23,13 +23,11 @@ class StylePass final : public Pass {
         const Needs& needs;
         const std::map<MapKind, int>& maps;
     };
-    StylePass(const Frame& frame, PassStage stage, const Drawer& drawer)
-        : frame_(frame), stage_(stage), drawer_(drawer), view_(frame.view.camera)
+    StylePass(const Frame& frame, PassStage stage, const Drawer& drawer) : frame_(frame), stage_(stage), drawer_(drawer)
     {
-        if (!drawer.needs.clock) view_.time_s = 0.0;
     }
 
-    const View& view() const override { return view_; }
+    const View& view() const override { return frame_.view.camera; }
     Layer layer() const override { return stage_ == PassStage::blended ? Layer::blended : Layer::opaque; }
     Items opaque_scene() const override { return frame_.whole().opaque; }
     Image image(const ImageKey& key, std::size_t output) const override;
@@ -52,7 +50,6 @@ class StylePass final : public Pass {
     const Frame& frame_;
     PassStage stage_;
     Drawer drawer_;
-    View view_;  ///< As the style is told it.
 };
 
 }  // namespace hw

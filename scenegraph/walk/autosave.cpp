@@ -84,7 +84,7 @@ void Autosave::add_place(FolderHandle folder, const std::string& stem)
 {
     std::vector<std::string> names;
     for (int number = 1; number <= kMostWalks; ++number) names.push_back(fmt::format("{}-{}", stem, number));
-    std::stable_partition(names.begin(), names.end(), [&](const std::string& name) {  // what is left is offered first
+    std::ranges::stable_partition(names, [&](const std::string& name) {  // what is left there is offered first
         return ::faccessat(folder.descriptor(), (name + kUnsaved).c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0;
     });
     for (const std::string& name : names) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/trigonometric.hpp>
 
 #include "tests/world/scene_builder.hpp"
@@ -76,4 +77,59 @@ TEST(ray_judge, hidden_edges_and_inventions_are_extra)
     found.back().is_intersection = true;
     EXPECT_NEAR(verdict_of(found, found).unjudged_px, 40.0, 1e-6);
     EXPECT_EQ(verdict_of(found, found).extra_px, 0.0);
+}
+
+namespace {
+
+/// A roof whose ridge runs along z in the picture's middle, folded by less than a crease, over three quads a side.
+/// `split` tells at which of the five inner edges, from left to right, the model's own normals differ.
+Scene roof_with_split_normals(const std::array<bool, 5>& split)
+{
+    constexpr double kFoldRad = 0.2;
+    MeshData mesh;
+    mesh.has_own_normals = true;
+    glm::dvec2 at(-0.9, 0.0);
+    double slope = 2.5 * kFoldRad;
+    glm::vec3 normal(0.0f);
+    for (std::size_t strip = 0; strip < 6; ++strip, slope -= kFoldRad) {
+        const glm::dvec2 next = at + 0.3 * glm::dvec2(std::cos(slope), std::sin(slope));
+        if (strip == 0 || split[strip - 1]) normal = glm::vec3(-std::sin(slope), 0.0, std::cos(slope));
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const glm::dvec2& p : {at, next})
+            for (const double y : {-1.0, 1.0}) mesh.positions.emplace_back(p.x, y, p.y);
+        for (int i = 0; i < 4; ++i) mesh.normals.push_back(normal);
+        for (const std::uint32_t i : {0u, 2u, 1u, 1u, 2u, 3u}) mesh.indices.push_back(first + i);
+        at = next;
+    }
+    test::SceneBuilder builder;
+    builder.add(std::move(mesh), test::SceneBuilder::kSingle);
+    return builder.scene();
+}
+
+double visible_px(const Scene& scene)
+{
+    return RayJudge(scene, kCrease).judge(kCamera, {}, {}).visible_px;
+}
+
+}  // namespace
+
+TEST(ray_judge, small_folds_are_lines_where_the_normals_split_but_not_all_of_them_do)
+{
+    const double outline = visible_px(roof_with_split_normals({}));
+    const double one = visible_px(roof_with_split_normals({false, false, true})) - outline;
+    EXPECT_GT(one, 150.0);
+    EXPECT_NEAR(visible_px(roof_with_split_normals({false, true, true})) - outline, 2.0 * one, 0.1 * one);
+    EXPECT_NEAR(visible_px(roof_with_split_normals({true, true, true, true, true})), outline, 1.0);
+}
+
+TEST(ray_judge, a_joint_beside_a_step_of_less_than_a_pixel_is_no_line)
+{
+    // Of two slabs side by side the left one ends after 1.8 pixels.
+    const auto slabs = [](std::vector<std::array<double, 2>> ends) {
+        test::SceneBuilder builder;
+        for (const auto& [left, right] : ends) builder.box({left, -1.0, -1.0}, {right, 1.0, 0.0}, false);
+        return builder.scene();
+    };
+    const double left = 0.5 - 1.8 / 72.0;
+    EXPECT_NEAR(visible_px(slabs({{left, 0.5}, {0.5, 1.0}})), visible_px(slabs({{left, 1.0}})), 3.0);
 }

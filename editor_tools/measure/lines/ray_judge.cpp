@@ -3,13 +3,10 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <map>
 #include <optional>
-#include <set>
 
 namespace hw {
 namespace {
@@ -19,7 +16,7 @@ constexpr double kReach_px = 1.5;
 constexpr double kLongest_px = 1e6;     // of an edge that passes close by the eye
 constexpr double kSeen = 1.0 - 1e-4;    // of the way to the edge: free so far, it is seen
 constexpr double kHidden = 1.0 - 1e-3;  // blocked before, it is hidden
-constexpr double kBeside_px = 2.0;      // where rays ask whether the surface runs straight on
+constexpr double kBeside_px = 0.1;      // where rays ask whether the surface runs straight on: less than what is seen
 constexpr double kStraightCosine = 0.9998;
 constexpr double kStraightShare = 1e-3;  // off the plane, of the distance
 
@@ -195,51 +192,15 @@ void RayJudge::add_object(const Scene& scene, ObjectId id, double crease_rad)
     const glm::dmat4& matrix = scene.world_from_object(id);
     const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
     const bool hides = material.alpha_mode != AlphaMode::blend;
-    using Place = std::array<float, 3>;
-    const auto place = [&](std::uint32_t index) {
-        const glm::vec3& p = mesh.positions[index];
-        return Place{p.x, p.y, p.z};
-    };
-    const auto in_world = [&](const Place& p) { return glm::dvec3(matrix * glm::dvec4(p[0], p[1], p[2], 1.0)); };
-    struct Side {
-        glm::dvec3 normal;
-        bool is_forward;
-    };
-    std::map<std::pair<Place, Place>, std::vector<Side>> sides;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const std::array<Place, 3> corners{place(mesh.indices[i]), place(mesh.indices[i + 1]),
-                                           place(mesh.indices[i + 2])};
-        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-        const glm::dvec3 a = in_world(corners[0]), b = in_world(corners[1]), c = in_world(corners[2]);
-        const glm::dvec3 normal = (is_mirrored ? -1.0 : 1.0) * glm::cross(b - a, c - a);
-        if (hides)
-            triangles_.push_back(is_mirrored ? Triangle{a, c, b, !material.is_double_sided}
-                                             : Triangle{a, b, c, !material.is_double_sided});
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Place &u = corners[k], &v = corners[(k + 1) % 3];
-            sides[std::minmax(u, v)].push_back({normal, u < v});
-        }
+    for (std::size_t i = 0; hides && i + 2 < mesh.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) {
+            return glm::dvec3(matrix * glm::dvec4(glm::dvec3(mesh.positions[mesh.indices[i + k]]), 1.0));
+        };
+        const glm::dvec3 a = corner(0), b = corner(is_mirrored ? 2 : 1), c = corner(is_mirrored ? 1 : 2);
+        triangles_.push_back({a, b, c, !material.is_double_sided});
     }
-    std::set<std::pair<Place, Place>> marked;
-    for (std::size_t i = 0; i + 1 < mesh.artist_edges.size(); i += 2)
-        marked.insert(std::minmax(place(mesh.artist_edges[i]), place(mesh.artist_edges[i + 1])));
-    const double crease_cosine = std::cos(crease_rad);
-    for (const auto& [ends, around] : sides) {
-        Edge edge{.from = in_world(ends.first), .to = in_world(ends.second), .normals = {}};
-        edge.is_culled = !material.is_double_sided;
-        edge.is_sure = around.size() <= 2;
-        // Two faces that go along the edge the same way are wound against each other: one is turned over.
-        for (const Side& side : around)
-            edge.normals.push_back(
-                side.is_forward == around.front().is_forward && &side != &around.front() ? -side.normal : side.normal);
-        if (around.size() == 2) {
-            const double size = glm::length(edge.normals[0]) * glm::length(edge.normals[1]);
-            edge.is_crease = size > 0.0 && glm::dot(edge.normals[0], edge.normals[1]) < crease_cosine * size;
-            edge.is_sure = size > 0.0;
-        }
-        edge.is_crease = edge.is_crease || marked.contains(ends);
-        edges_.push_back(std::move(edge));
-    }
+    const std::vector<JudgedEdge> edges = judged_edges(scene, id, crease_rad);
+    edges_.insert(edges_.end(), edges.begin(), edges.end());
 }
 
 /// One view that is being judged.
@@ -261,7 +222,7 @@ struct RayJudge::Look {
         for (const JudgedLine& line : drawn) walk(line, pinhole, [&](const auto& p, double) { is_drawn.add(p); });
     }
 
-    void judge_sample(const Edge& edge, const glm::dvec3& way, const glm::dvec2& at, const glm::dvec2& across,
+    void judge_sample(const JudgedEdge& edge, const glm::dvec3& way, const glm::dvec2& at, const glm::dvec2& across,
                       double length)
     {
         verdict.candidates_px += length;
@@ -279,7 +240,7 @@ struct RayJudge::Look {
         }
     }
 
-    bool is_line(const Edge& edge) const
+    bool is_line(const JudgedEdge& edge) const
     {
         const auto looks_here = [&](const glm::dvec3& normal) { return glm::dot(normal, edge.from - eye) < 0.0; };
         const auto front = std::count_if(edge.normals.begin(), edge.normals.end(), looks_here);
@@ -288,7 +249,7 @@ struct RayJudge::Look {
         return (edge.is_crease || is_contour) && !(edge.is_culled && front == 0);
     }
 
-    void judge_edge(const Edge& edge)
+    void judge_edge(const JudgedEdge& edge)
     {
         glm::dvec3 from = edge.from - eye, to = edge.to - eye;
         const double near_from = pinhole.depth(from) - pinhole.near_m, near_to = pinhole.depth(to) - pinhole.near_m;
@@ -343,7 +304,7 @@ RayVerdict RayJudge::judge(const JudgeCamera& camera, std::span<const JudgedLine
     look.to_show = to_show;
     if (to_show != nullptr)
         to_show->assign(static_cast<std::size_t>(camera.size_px.x) * camera.size_px.y, kJudgedPaper);
-    for (const Edge& edge : edges_)
+    for (const JudgedEdge& edge : edges_)
         if (look.is_line(edge)) look.judge_edge(edge);
     for (const JudgedLine& line : found) look.judge_found(line);
     look.verdict.rays = look.blockers.rays;

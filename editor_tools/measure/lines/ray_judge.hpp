@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hatchway/world/scene.hpp"
+#include "measure/lines/judged_edges.hpp"
 
 namespace hw {
 
@@ -58,15 +59,6 @@ class RayJudge {
                      std::vector<std::uint8_t>* to_show = nullptr) const;
 
  private:
-    /// An edge of an object's mesh in world space. Faces on it by their normals, not of unit length, as they are wound.
-    struct Edge {
-        glm::dvec3 from{0.0};
-        glm::dvec3 to{0.0};
-        std::vector<glm::dvec3> normals;
-        bool is_crease = false;  ///< Or marked by the artist.
-        bool is_sure = true;     ///< False: more than two faces meet, or one has no area.
-        bool is_culled = false;
-    };
     struct Triangle {
         glm::dvec3 a{0.0}, b{0.0}, c{0.0};
         bool is_culled = false;
@@ -75,7 +67,7 @@ class RayJudge {
     struct Look;
     void add_object(const Scene& scene, ObjectId id, double crease_rad);
 
-    std::vector<Edge> edges_;
+    std::vector<JudgedEdge> edges_;
     std::vector<Triangle> triangles_;
 };
 

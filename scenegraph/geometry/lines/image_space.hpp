@@ -39,13 +39,17 @@ class ImageSpace {
         const double inverse = 1.0 / view.z;
         return {centre_.x + focal_px_ * view.x * inverse, centre_.y - focal_px_ * view.y * inverse, inverse};
     }
-    /// The place in the world of a point of the picture.
-    glm::dvec3 world_of(const ImagePoint& point) const
+    /// What is seen at a point of the picture: the inverse of project().
+    glm::dvec3 view_of(const ImagePoint& point) const
     {
         const double depth = is_parallel_ ? (2.0 - point.z) * depth_m_ : 1.0 / point.z;
         const double m_per_px = (is_parallel_ ? 1.0 : depth) / focal_px_;
-        const glm::dvec3 view((point.x - centre_.x) * m_per_px, (centre_.y - point.y) * m_per_px, depth);
-        return origin_world_ + glm::transpose(glm::dmat3(view_from_world_)) * view;
+        return {(point.x - centre_.x) * m_per_px, (centre_.y - point.y) * m_per_px, depth};
+    }
+    /// The place in the world of a point of the picture.
+    glm::dvec3 world_of(const ImagePoint& point) const
+    {
+        return origin_world_ + glm::transpose(glm::dmat3(view_from_world_)) * view_of(point);
     }
     /// Along the view from the origin.
     double near_m() const { return near_m_; }

@@ -27,7 +27,7 @@ inline std::uint32_t owner_of(const IntersectionLine& line, std::span<const Line
 struct IntersectionOptions {
     /// Objects that enter each other by less than this share of their size are in contact: no line. A line is judged as
     /// a whole, so that it has no gaps where a face is entered by little.
-    double contact_share = 1e-5;
+    double contact_share = kContactShare;
 };
 
 /// All lines in which objects cut each other, and components of one object, for every view: the world space positions

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "hatchway/core/box.hpp"
 #include "hatchway/geometry/exact/predicates.hpp"
 #include "hatchway/geometry/lines/intersections.hpp"
 #include "hatchway/geometry/lines/line_chains.hpp"
@@ -39,14 +40,20 @@ void place_positions(DrawnObject& drawn, const LineObject& object, const ImageSp
     const glm::dvec3 origin = is_flat ? glm::dvec3(view_from_object[3]) : glm::dvec3(0.0);
     const std::size_t tasks = (drawn.view.size() + kPositionsPerTask - 1) / kPositionsPerTask;
     std::vector<unsigned> outside(tasks, ~0u);
+    std::vector<Box> boxes(tasks);
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
         const std::size_t end = std::min((task + 1) * kPositionsPerTask, drawn.view.size());
         for (std::size_t i = task * kPositionsPerTask; i < end; ++i) {
             drawn.view[i] = origin + turn * (glm::dvec3(surface.positions[i]) - eye);
             if (drawn.view[i].z >= space.near_m()) drawn.image[i] = space.project(drawn.view[i]);
             outside[task] &= sides_outside(drawn.view[i], space);
+            boxes[task].add(surface.positions[i]);
         }
     });
+    Box box;
+    for (const Box& some : boxes) box.add(some);
+    if (!box.is_empty())
+        drawn.contact_m = kContactShare * glm::length(transformed(box, object.world_from_object).size());
     unsigned all = ~0u;
     for (const unsigned sides : outside) all &= sides;
     drawn.is_in_picture = !outside.empty() && all == 0;

@@ -34,6 +34,7 @@ struct DrawnObject {
     Viewpoint eye_object;
     std::uint32_t first_face = 0;  ///< The number of its face 0 among all.
     bool hides = false;
+    double contact_m = 0.0;            ///< What enters it by less only touches it.
     bool is_in_picture = false;        ///< Else nothing more is known of it.
     std::span<glm::dvec3> view;        ///< Of each position, view space.
     std::span<ImagePoint> image;       ///< ... of those before the near plane.

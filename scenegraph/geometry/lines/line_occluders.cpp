@@ -11,9 +11,9 @@
 namespace hw {
 namespace {
 
-constexpr double kContactTolerance = 2e-7;  // relative to the distance: objects closer than this are in contact
-constexpr double kEndSlack = 1e-7;          // a face that is met this close to an end of a line cuts off nothing
-constexpr double kPlaceError = 1e-14;       // relative: 90 units in the last place
+constexpr double kPlacingError = 2e-7;  // relative to the distance: matrices place objects no better
+constexpr double kEndSlack = 1e-7;      // a face that is met this close to an end of a line cuts off nothing
+constexpr double kPlaceError = 1e-14;   // relative: 90 units in the last place
 constexpr double kDepthError = 1e-14;
 constexpr std::uint64_t kStepsOfCut = 8;
 constexpr std::uint32_t kFacesPerTask = 2048;
@@ -201,9 +201,27 @@ bool LineOccluders::hides(const ImageTriangle& triangle, const ImagePoint& point
     const auto [far, near] = std::minmax({a.z, b.z, c.z});
     const double doubt =
         2.0 * ((near - far) * place_error_px_ * reach_of(triangle) / std::abs(area) + kDepthError * near);
-    const bool is_other = triangle.object != line.object || !line.source.is_edge();
-    if (is_other) return before > point.z * kContactTolerance + doubt;
+    if (is_other(triangle, line)) return before > point.z * kPlacingError + doubt && !do_touch(triangle, point, line);
     return std::abs(before) > doubt ? before > 0.0 : hides_in_doubt(triangle, line, before);
+}
+
+/// Whether only numbers that somebody rounded tell how the triangle lies to the line.
+bool LineOccluders::is_other(const ImageTriangle& triangle, const DrawnLine& line) const
+{
+    if (triangle.object != line.object || !line.source.is_edge()) return true;
+    const DrawnObject& object = drawing_.objects[line.object];
+    const std::vector<std::uint32_t>& component = object.surface->face_component;
+    return component[triangle.face - object.first_face] != component[line.faces[0] - object.first_face];
+}
+
+bool LineOccluders::do_touch(const ImageTriangle& triangle, const ImagePoint& point, const DrawnLine& line) const
+{
+    const DrawnObject& object = drawing_.objects[triangle.object];
+    const auto& [a, b, c] = object.surface->faces[triangle.face - object.first_face];
+    const glm::dvec3 corner = object.view[a];
+    const glm::dvec3 normal = glm::cross(object.view[b] - corner, object.view[c] - corner);
+    const double contact_m = std::max(object.contact_m, drawing_.objects[line.object].contact_m);
+    return std::abs(glm::dot(normal, space_.view_of(point) - corner)) <= contact_m * glm::length(normal);
 }
 
 bool LineOccluders::hides_in_doubt(const ImageTriangle& triangle, const DrawnLine& line, double before) const

@@ -56,10 +56,11 @@ class SeenItems {
 
 /// The faces of a drawing as what its lines can be hidden by.
 ///
-/// Within an object it is decided exactly for the object's float positions and the eye in its space: a face hides what
-/// is strictly behind its plane, so that a face's double, its back and what lies in its plane hide nothing of it.
-/// Objects are placed by matrices that round: there a face hides what lies behind it by over 2e-7 of the distance, so
-/// that objects in contact do not hide each other's lines by chance.
+/// Within a component of an object it is decided exactly for the object's float positions and the eye in its space: a
+/// face hides what is strictly behind its plane, so that a face's double, its back and what lies in its plane hide
+/// nothing of it. Components and objects are set on each other by numbers that were rounded: there a face hides what
+/// lies behind its plane by more than kContactShare of their size, and by over 2e-7 of the eye's distance from it, so
+/// that the foot of a wall is not lost by chance in the floor on which it stands.
 class LineOccluders {
  public:
     /// All must outlive this. What is looked at is spent of `work`.
@@ -81,6 +82,8 @@ class LineOccluders {
  private:
     void select_faces();
     bool hides(const ImageTriangle& triangle, const ImagePoint& point, const DrawnLine& line) const;
+    bool is_other(const ImageTriangle& triangle, const DrawnLine& line) const;
+    bool do_touch(const ImageTriangle& triangle, const ImagePoint& point, const DrawnLine& line) const;
     bool hides_in_doubt(const ImageTriangle& triangle, const DrawnLine& line, double before) const;
 
     const LineDrawing& drawing_;

@@ -29,6 +29,10 @@ struct LineCamera {
     double far_m = 1000.0;  ///< Of a parallel projection: everything is nearer; depths are told apart relative to it.
 };
 
+/// Objects that enter each other by less than this share of the larger one's size only touch, as do components of one:
+/// kits and exporters place them no better. They cut no line and hide nothing of each other there.
+inline constexpr double kContactShare = 1e-5;
+
 /// One object of a line drawing. All objects hide each other.
 struct LineObject {
     const Surface* surface = nullptr;
@@ -75,8 +79,8 @@ struct VisibleLine {
 
 /// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:
 /// where it crosses a silhouette or a border in the picture, and where it goes through a face. Of each piece the middle
-/// is tested against all faces before it: exactly within an object, between objects with a tolerance of 2e-7 of the
-/// distance, so that lines on a face and on a neighbour's coplanar face stay visible (line_occluders.hpp). Pieces are
+/// is tested against all faces before it: exactly within a component of an object, between components and objects
+/// with a tolerance, so that lines on a face of another stay visible (line_occluders.hpp). Pieces are
 /// joined to polylines at common vertices.
 ///
 /// The result is sorted by object, set and class and does not depend on the number of threads. Throws hw::Error where

@@ -167,22 +167,60 @@ TEST(visible_lines, flaps_and_doubles_hide_nothing_at_any_offset_and_scale)
     }
 }
 
-TEST(visible_lines, within_an_object_the_smallest_step_behind_a_face_is_hidden)
+TEST(visible_lines, within_a_component_the_smallest_step_behind_a_face_is_hidden)
 {
-    // The far square lies one unit in the last place behind the near one: no tolerance could tell both cases.
+    // A sheet is folded back on itself: what lies behind is one unit in the last place away, and no tolerance could
+    // tell that from what lies in the plane.
     const float behind = std::nextafter(5.0f, 0.0f);
-    const hw::MeshData near = mesh_of({{-2, -2, 5}, {2, -2, 5}, {2, 2, 5}, {-2, 2, 5}}, {0, 1, 2, 0, 2, 3});
-    const auto far = [](float z) {
-        return mesh_of({{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}}, {0, 1, 2, 0, 2, 3});
-    };
     const hw::LineCamera camera{.eye_world = {0.3, 0.2, 20}, .target_world = {0, 0, 5}, .size_px = {800, 600}};
     const auto hidden = [&](float z) {
-        const hw::Surface both = hw::build_surface(joined({near, far(z)}), {.stitch_share = 0.0f});
-        const std::vector<hw::LineObject> objects{{&both}};
+        const hw::MeshData folded =
+            mesh_of({{-2, -2, 5}, {2, -2, 5}, {2, 2, 5}, {-2, 2, 5}, {-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}},
+                    {0, 1, 2, 0, 2, 3, 1, 0, 4, 1, 4, 5, 5, 4, 7, 5, 7, 6});
+        const hw::Surface surface = hw::build_surface(folded, {.stitch_share = 0.0f});
+        EXPECT_EQ(surface.components.size(), 1u);
+        const std::vector<hw::LineObject> objects{{&surface}};
         return total(hw::find_visible_lines(objects, camera, {.with_hidden = true}), false, 0);
     };
     EXPECT_EQ(hidden(5.0f), 0.0);
     EXPECT_GT(hidden(behind), 200.0);
+}
+
+/// A floor and an upright wall of 2 m on it, with its foot so far below.
+hw::MeshData floor_of(float size)
+{
+    return mesh_of({{-size, 0, -size}, {-size, 0, size}, {size, 0, size}, {size, 0, -size}}, {0, 1, 2, 0, 2, 3});
+}
+hw::MeshData wall_sunk_by(float depth)
+{
+    return mesh_of({{-1, -depth, 0}, {1, -depth, 0}, {1, 1, 0}, {-1, 1, 0}}, {0, 1, 2, 0, 2, 3});
+}
+
+TEST(visible_lines, the_foot_of_a_wall_that_is_set_into_the_floor_by_a_rounding_is_visible)
+{
+    // As kits have it: the foot lies a few units in the last place too low, and no line where both meet is found for
+    // it, since contact is none. A foot that is sunk in earnest is hidden.
+    for (const double scale : {1e-3, 1.0, 1e3})
+        for (const glm::dvec3& eye : {glm::dvec3(3, 2.5, 4), glm::dvec3(0.5, 0.02, 6), glm::dvec3(30, 8, 90)}) {
+            const hw::LineCamera camera{
+                .eye_world = eye * scale, .target_world = {0, 0, 0}, .size_px = {800, 600}, .near_m = 1e-3 * scale};
+            const auto hidden = [&](float depth, bool is_one_object) {
+                const hw::MeshData floor = floor_of(3.0f), wall = wall_sunk_by(depth);
+                const hw::Surface both = hw::build_surface(joined({floor, wall}));
+                const hw::Surface apart[] = {hw::build_surface(floor), hw::build_surface(wall)};
+                const glm::dmat4 place = glm::scale(glm::dmat4(1.0), glm::dvec3(scale));
+                std::vector<hw::LineObject> objects{{&both, place}};
+                if (!is_one_object) objects = {{&apart[0], place}, {&apart[1], place}};
+                const auto lines = hw::find_visible_lines(objects, camera, {.with_hidden = true});
+                return total(lines, false, 0) + total(lines, false, 1);
+            };
+            for (const bool is_one_object : {true, false}) {
+                const double none = hidden(0.0f, is_one_object);
+                for (const float depth : {6e-8f, 2.4e-7f, 2e-6f})
+                    EXPECT_NEAR(hidden(depth, is_one_object), none, 1e-3) << scale << " " << eye.y << " " << depth;
+                EXPECT_GT(hidden(2e-3f, is_one_object), none + 5.0) << scale << " " << eye.y;
+            }
+        }
 }
 
 TEST(visible_lines, faces_that_are_culled_hide_nothing_and_carry_no_lines)
