@@ -15,6 +15,17 @@ if(HATCHWAY_SANITIZE)
                            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(hatchway_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(HATCHWAY_SANITIZE_THREADS)
+    target_compile_options(hatchway_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+    target_link_options(hatchway_flags INTERFACE -fsanitize=thread)
+    # TBB's library is not instrumented: see there.
+    foreach(header blocked_range enumerable_thread_specific global_control parallel_for parallel_for_each parallel_invoke
+            parallel_reduce parallel_sort task_arena)
+        file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/threads/tbb/${header}.h"
+             CONTENT "#include \"${CMAKE_SOURCE_DIR}/tests/threads/tbb_on_threads.hpp\"\n")
+    endforeach()
+    target_include_directories(hatchway_flags BEFORE INTERFACE "${CMAKE_BINARY_DIR}/threads")
+endif()
 if(HATCHWAY_LIBFUZZER)
     target_compile_options(hatchway_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()

@@ -47,13 +47,3 @@ names_are_right() {
     own_sources | grep -z '\.cpp$' |
         xargs -0 -P "$(nproc)" -n 4 clang-tidy --quiet -p build/tidy --checks='-*,readability-identifier-naming'
 }
-
-libfuzzer_finds_nothing() {
-    local name
-    for name in model level image; do
-        mkdir -p "build/fuzz/corpus/$name"
-        find content ../shared/data/malformed -type f -size -64k -exec cp -n -t "build/fuzz/corpus/$name" {} + 2>/dev/null
-        "build/fuzz/bin/fuzz_$name" -max_total_time=60 -seed=20011 -print_final_stats=1 "build/fuzz/corpus/$name" ||
-            return 1
-    done
-}

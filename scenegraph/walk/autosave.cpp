@@ -84,9 +84,10 @@ void Autosave::add_place(FolderHandle folder, const std::string& stem)
 {
     std::vector<std::string> names;
     for (int number = 1; number <= kMostWalks; ++number) names.push_back(fmt::format("{}-{}", stem, number));
-    std::ranges::stable_partition(names, [&](const std::string& name) {  // what is left there is offered first
+    const auto is_left = [&](const std::string& name) {
         return ::faccessat(folder.descriptor(), (name + kUnsaved).c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0;
-    });
+    };
+    std::stable_partition(names.begin(), names.end(), is_left);  // what is left there is offered first
     for (const std::string& name : names) {
         std::optional<Descriptor> lock = taken_lock(folder, name + kLock);
         if (!lock) continue;

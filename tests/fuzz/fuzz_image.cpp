@@ -1,21 +1,14 @@
-// Images: any bytes must decode or be refused by hw::Error. What was decoded can be encoded and decoded again.
-
-#include <cstdint>
-#include <cstdlib>
-
-#include "hatchway/core/error.hpp"
+// PNG and JPEG files. What was decoded can be encoded and decoded again, and small ones can be read as a drawing.
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/io/images/png.hpp"
+#include "hatchway/maps/bitmap_strokes.hpp"
+#include "tests/fuzz/target.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void hw::fuzz::try_bytes(std::string_view bytes)
 {
     constexpr std::uint64_t kMaxPixels = 1 << 18;
-    hw::Pixels pixels;
-    try {
-        pixels = hw::decode_image(std::as_bytes(std::span(data, size)), "fuzz", kMaxPixels);
-    } catch (const hw::Error&) {
-        return 0;
-    }
-    if (hw::decode_image(hw::encode_png(pixels), "again").bytes != pixels.bytes) std::abort();
-    return 0;
+    constexpr std::size_t kMostOfDrawing = 1 << 14;
+    const Pixels pixels = decode_image(std::as_bytes(std::span(bytes)), "fuzz", kMaxPixels);
+    require(decode_image(encode_png(pixels), "again").bytes == pixels.bytes);
+    if (pixels.bytes.size() <= kMostOfDrawing) strokes_of_bitmap(pixels);
 }

@@ -1,34 +1,30 @@
-// Level files: any text must be read or refused by hw::Error, and what is read can be edited.
-
-#include <cstdint>
-#include <cstdlib>
-#include <string>
-
-#include "hatchway/core/error.hpp"
+// Level files, in a project that has the scenes of their corpus. One that is read must also survive an edit, and then
+// say what the edit says.
 #include "hatchway/io/level/edit.hpp"
 #include "hatchway/io/level/file.hpp"
+#include "tests/fuzz/target.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
-/// A level that can be read must also survive an edit, and then say what the edit says.
-void edit(const std::string& text)
-{
-    const hw::StyleAssignment assignment{.nodes = "Hall/Column", .style = "ink"};
-    const std::string edited = hw::with_assignments(text, std::span(&assignment, 1), "level.json");
-    const hw::Level level = hw::parse_level(edited, "level.json");
-    if (level.assign.empty() || level.assign.back().nodes != assignment.nodes) std::abort();
-}
+struct Project {
+    TemporaryFolder folder;
+    Project()
+    {
+        for (const char* name : {"hatchway.project", "levels/a.glb", "models/hall.glb", "models/prism.glb"})
+            folder.write(name, "");
+    }
+};
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void hw::fuzz::try_bytes(std::string_view bytes)
 {
-    const std::string text(reinterpret_cast<const char*>(data), size);
-    try {
-        hw::parse_level(text, "level.json");
-    } catch (const hw::Error&) {
-        return 0;
-    }
-    edit(text);
-    return 0;
+    static const Project project;
+    const std::filesystem::path file = project.folder.path() / "levels" / "a.level.json";
+    const std::string text(bytes);
+    parse_level(text, file);
+    const StyleAssignment assignment{.nodes = "Hall/Column", .style = "ink"};
+    const Level level = parse_level(with_assignments(text, std::span(&assignment, 1), file), file);
+    require(!level.assign.empty() && level.assign.back().nodes == assignment.nodes);
 }

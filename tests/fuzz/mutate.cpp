@@ -1,6 +1,6 @@
 // A small fuzzer for compilers without libFuzzer: changes known files at random, always in the same order.
-//   fuzz_model SECONDS FILE...   changes the files for so long; the input that is tried lies in fuzz_model.input
-//   fuzz_model FILE              tries one input as it is
+//   fuzz_glb SECONDS FILE...   tries the files, then changes them for so long; what is tried lies in fuzz_glb.input
+//   fuzz_glb FILE              tries one input as it is, and says what became of it
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -12,6 +12,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include "tests/fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -95,9 +97,9 @@ std::string changed(const std::vector<std::string>& seeds, Random& random)
     return input;
 }
 
-int run(const std::string& input)
+void run(const std::string& input)
 {
-    return LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
 }
 
 }  // namespace
@@ -105,19 +107,26 @@ int run(const std::string& input)
 int main(int argc, char** argv)
 {
     if (argc < 2) return 2;
-    if (argc == 2) return run(read(argv[1]));
+    if (argc == 2) {
+        run(read(argv[1]));
+        std::cout << (hw::fuzz::taken > 0 ? "taken" : hw::fuzz::refusal) << '\n';
+        return 0;
+    }
     const std::chrono::duration<double> limit(std::atof(argv[1]));
     const std::vector<std::string> seeds = seeds_of({argv + 2, argv + argc});
     const fs::path kept = fs::path(argv[0]).filename().string() + ".input";
+    const auto try_kept = [&](const std::string& input) {
+        std::ofstream(kept, std::ios::binary) << input;
+        run(input);
+    };
+    for (const std::string& seed : seeds) try_kept(seed);
+    const std::uint64_t good_seeds = hw::fuzz::taken;
     const auto start = std::chrono::steady_clock::now();
     Random random(kSeed);
     std::uint64_t inputs = 0;
-    for (; std::chrono::steady_clock::now() - start < limit; ++inputs) {
-        const std::string input = changed(seeds, random);
-        std::ofstream(kept, std::ios::binary) << input;
-        run(input);
-    }
+    for (; std::chrono::steady_clock::now() - start < limit; ++inputs) try_kept(changed(seeds, random));
     fs::remove(kept);
-    std::cout << inputs << " inputs from " << seeds.size() << " seeds\n";
-    return 0;
+    std::cout << inputs << " inputs, " << hw::fuzz::taken - good_seeds << " taken, from " << seeds.size() << " seeds, "
+              << good_seeds << " taken\n";
+    return good_seeds > 0 ? 0 : 1;  // what no seed gets past is not tried
 }

@@ -6,114 +6,15 @@
 #include <cstring>
 #include <random>
 
-#include "hatchway/core/error.hpp"
 #include "hatchway/core/files/folder_handle.hpp"
-#include "hatchway/core/hash.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
-#include "hatchway/io/compiled/read.hpp"
-#include "hatchway/io/compiled/write.hpp"
+#include "tests/io/compiled/rooms.hpp"
 #include "tests/temporary_folder.hpp"
-#include "tests/world/scene_builder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using hw::test::SceneBuilder;
-
-constexpr glm::dvec3 kHere(-8, 0, 0);
-
-/// Three rooms in a row, doorways out of line, and a box in each; small, so that files are.
-hw::Scene& rooms(SceneBuilder& builder)
-{
-    builder.box({-10, -3, -5}, {10, 3, 5}, true);
-    for (int i = 0; i < 2; ++i) {
-        const double x = -3.0 + 6.0 * i, from = i == 0 ? 3.0 : -4.0;
-        builder.box({x - 0.2, -3, -5}, {x + 0.2, 3, from}, false);
-        builder.box({x - 0.2, -3, from + 1.0}, {x + 0.2, 3, 5}, false);
-    }
-    for (const double x : {-7.0, 0.0, 7.0}) builder.box({x, -2, -1}, {x + 1, -1, 1}, false);
-    return builder.scene();
-}
-
-struct Rooms {
-    SceneBuilder builder;
-    hw::Scene& scene = rooms(builder);
-    std::vector<hw::MeshChunks> chunks;
-    hw::CompiledLevel level;
-
-    explicit Rooms(int threads = 0)
-    {
-        hw::VisibilityOptions options;
-        options.threads = threads;
-        options.max_cells = 12;
-        auto compiled = hw::test::compile(scene, options);
-        chunks = std::move(compiled.chunks);
-        level = {hw::compiled_level_key(hw::geometry_key(scene), scene, {}, options), options.effort,
-                 std::move(compiled.visibility)};
-    }
-    std::vector<std::byte> bytes() const { return hw::compiled_level_bytes(level, chunks); }
-    hw::CompiledLevel read(std::span<const std::byte> from) const
-    {
-        return hw::compiled_level_from_bytes(from, scene, chunks, "rooms.compiled");
-    }
-};
-
-std::vector<std::uint8_t> seen_from(const hw::Visibility& visibility, const glm::dvec3& eye)
-{
-    std::vector<std::uint8_t> seen;
-    hw::visible_chunks(visibility, eye, 0.1, seen);
-    return seen;
-}
-
-/// Whether the bytes are taken; what is refused must be refused by hw::Error, and what is taken must be usable.
-bool is_taken(const Rooms& rooms, std::span<const std::byte> bytes)
-{
-    try {
-        const hw::CompiledLevel level = rooms.read(bytes);
-        seen_from(level.visibility, kHere);
-        hw::visible_leaf_count(level.visibility, kHere, 0.1);
-        return true;
-    } catch (const hw::Error&) {
-        return false;
-    }
-}
-
-constexpr std::size_t kNoPlace = static_cast<std::size_t>(-1);
-
-/// Where a value stands in a file.
-template <typename Value>
-std::size_t place_of(const std::vector<std::byte>& bytes, const Value& value)
-{
-    for (std::size_t at = 0; at + sizeof value <= bytes.size(); ++at)
-        if (std::memcmp(bytes.data() + at, &value, sizeof value) == 0) return at;
-    return kNoPlace;
-}
-
-/// A file's content, which is its last and longest part, and the place of the hash over it, found by its value.
-struct Signature {
-    std::size_t content = kNoPlace;
-    std::size_t size = 0;
-    std::size_t hash = kNoPlace;
-
-    explicit Signature(const std::vector<std::byte>& good)
-    {
-        for (std::size_t at = 0; at + 4 < good.size() && hash == kNoPlace; at += 4) {
-            std::uint32_t count = 0;
-            std::memcpy(&count, good.data() + at, 4);
-            if (count == 0 || at + 4 + count > good.size()) continue;
-            const auto part = std::span(good).subspan(at + 4, count);
-            if (count < good.size() / 2) continue;
-            content = at + 4;
-            size = count;
-            hash = place_of(good, hw::hash_bytes(part));
-        }
-    }
-    void renew(std::vector<std::byte>& bytes) const
-    {
-        const std::uint64_t value = hw::hash_bytes(std::span(bytes).subspan(content, size));
-        std::memcpy(bytes.data() + hash, &value, sizeof value);
-    }
-};
+using namespace hw::test;
 
 hw::Level level_in(const fs::path& folder)
 {
@@ -219,7 +120,7 @@ TEST(compiled_level, of_another_scene_is_refused)
     const Rooms rooms;
     const std::vector<std::byte> bytes = rooms.bytes();
     SceneBuilder more;
-    hw::Scene& scene = ::rooms(more);
+    hw::Scene& scene = hw::test::rooms(more);
     more.box({1, 0, 1}, {2, 1, 2}, false);
     std::vector<hw::MeshChunks> chunks;
     for (hw::MeshData& mesh : scene.meshes) chunks.push_back(hw::split_into_chunks(mesh));

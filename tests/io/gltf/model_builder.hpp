@@ -57,9 +57,13 @@ class ModelBuilder {
     {
         nlohmann::json document = json;
         if (!binary.empty()) document["buffers"] = {{{"byteLength", binary.size()}}};
-        std::string text = document.dump();
+        return container(document.dump(), binary);
+    }
+
+    /// A binary glTF file of these two parts.
+    static std::string container(std::string text, std::string bin)
+    {
         while (text.size() % 4 != 0) text += ' ';
-        std::string bin = binary;
         while (bin.size() % 4 != 0) bin += '\0';
         const std::size_t size = 20 + text.size() + (bin.empty() ? 0 : 8 + bin.size());
         std::string file = "glTF" + word(2) + word(size) + word(text.size()) + "JSON" + text;
