@@ -20,8 +20,8 @@ const std::regex kFigure(
 std::map<std::string, std::string> conditions_in(const std::string& text)
 {
     std::map<std::string, std::string> conditions;
-    static const std::regex kCondition(R"((\w[\w.]*)=(.*?)(?= \w[\w.]*=|$))");
-    for (std::sregex_iterator match(text.begin(), text.end(), kCondition), end; match != end; ++match)
+    static const std::regex condition(R"((\w[\w.]*)=(.*?)(?= \w[\w.]*=|$))");
+    for (std::sregex_iterator match(text.begin(), text.end(), condition), end; match != end; ++match)
         conditions[(*match)[1]] = (*match)[2];
     return conditions;
 }

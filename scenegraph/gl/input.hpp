@@ -45,8 +45,8 @@ struct InputEvents {
     glm::dvec2 motion{0.0};  ///< Mouse movement, right and down positive; raw counts while the cursor is captured.
     glm::dvec2 scroll{0.0};
     std::vector<std::string> dropped_files;
-    bool was_resized = false;
-    bool lost_focus = false;  ///< All keys count as released.
+    bool needs_redraw = false;  ///< The window has another size, or something that covered it went away.
+    bool lost_focus = false;    ///< All keys count as released.
 };
 
 }  // namespace hw

@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <map>
@@ -73,6 +74,32 @@ char letter_of(int constant, int scancode)
     return is_letter ? name[0] : '\0';
 }
 
+/// In screen units, from the top left.
+struct ScreenRect {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+int overlap(const ScreenRect& a, const ScreenRect& b)
+{
+    const int width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
+    const int height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
+    return std::max(width, 0) * std::max(height, 0);
+}
+
+/// The monitor on which most of `rect` lies; null when there is none.
+GLFWmonitor* monitor_of(const ScreenRect& rect)
+{
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    const auto shown = [&](GLFWmonitor* monitor) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        ScreenRect screen{.width = mode->width, .height = mode->height};
+        glfwGetMonitorPos(monitor, &screen.x, &screen.y);
+        return overlap(rect, screen);
+    };
+    return count == 0 ? nullptr : *std::ranges::max_element(monitors, monitors + count, {}, shown);
+}
+
 [[noreturn]] void throw_glfw_error(const std::string& doing)
 {
     const char* reason = nullptr;
@@ -134,6 +161,7 @@ class GlfwWindow final : public Window {
         glfwPollEvents();
         return std::exchange(events_, {});
     }
+    void wait(double seconds) override { glfwWaitEventsTimeout(seconds); }
     bool is_down(Key key) const override { return are_down_[static_cast<int>(key)]; }
     bool is_down(MouseButton button) const override
     {
@@ -165,6 +193,21 @@ class GlfwWindow final : public Window {
     bool should_close() const override { return glfwWindowShouldClose(window_) != 0; }
     void close() override { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
     void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
+    bool is_full_screen() const override { return glfwGetWindowMonitor(window_) != nullptr; }
+    void set_full_screen(bool is_full) override
+    {
+        if (is_full == is_full_screen()) return;
+        if (!is_full) {
+            glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.width, windowed_.height, 0);
+            return;
+        }
+        glfwGetWindowPos(window_, &windowed_.x, &windowed_.y);
+        glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
+        GLFWmonitor* monitor = monitor_of(windowed_);
+        if (monitor == nullptr) return;
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
 
  private:
     static GlfwWindow& self(GLFWwindow* window) { return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window)); }
@@ -187,7 +230,8 @@ class GlfwWindow final : public Window {
         glfwSetScrollCallback(
             window_, [](GLFWwindow* window, double x, double y) { self(window).events_.scroll += glm::dvec2(x, y); });
         glfwSetFramebufferSizeCallback(window_,
-                                       [](GLFWwindow* window, int, int) { self(window).events_.was_resized = true; });
+                                       [](GLFWwindow* window, int, int) { self(window).events_.needs_redraw = true; });
+        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { self(window).events_.needs_redraw = true; });
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int is_focused) {
             if (is_focused) return;
             self(window).events_.lost_focus = true;
@@ -216,6 +260,7 @@ class GlfwWindow final : public Window {
     std::array<bool, kKeyCount> are_down_{};
     glm::dvec2 last_cursor_{0.0};
     bool is_captured_ = false;
+    ScreenRect windowed_;  ///< Where the window goes back to from the full screen.
 };
 
 }  // namespace

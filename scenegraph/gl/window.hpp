@@ -21,6 +21,8 @@ class Window : public Context {
  public:
     /// Gathers events; does not wait.
     virtual InputEvents poll() = 0;
+    /// Returns when there are events, or after so long.
+    virtual void wait(double seconds) = 0;
     virtual bool is_down(Key key) const = 0;
     virtual bool is_down(MouseButton button) const = 0;
     virtual glm::dvec2 cursor_px() const = 0;
@@ -33,6 +35,9 @@ class Window : public Context {
     virtual bool should_close() const = 0;
     virtual void close() = 0;
     virtual void set_title(const std::string& title) = 0;
+    /// Over the whole of the screen on which most of it lies, or back to where it was.
+    virtual void set_full_screen(bool is_full) = 0;
+    virtual bool is_full_screen() const = 0;
 };
 
 /// Opens a window. Throws hw::Error, Fault::device, when there is no display or no OpenGL 3.3.

@@ -39,6 +39,7 @@ struct FrameResults {
     std::vector<FaceCall> opaque_faces;    ///< Of first styles, in the order of the calls.
     std::optional<VisibleSet> seen;        ///< What of `visible` no other face hides, when that was asked.
     std::uint32_t line_depth_texture = 0;  ///< The depth that lines are tested against: see lay_line_depth().
+    bool reads_clock = false;              ///< Something visible needs it.
     int transient_targets = 0;             ///< Made by Pass::render and Pass::filter.
 };
 

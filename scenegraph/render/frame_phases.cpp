@@ -59,6 +59,7 @@ void draw_products(const Frame& frame)
 {
     LoadedScene& scene = frame.scene;
     const auto prepare = [&](const Needs& needs) {
+        frame.results.reads_clock |= needs.clock;
         if (needs.lightmap) scene.lightmap.prepare();
         const bool is_all_baked = needs.lightmap && scene.is_all_baked;
         if (needs.shadow == ShadowNeed::main_light && !is_all_baked)
@@ -67,7 +68,9 @@ void draw_products(const Frame& frame)
     for (int i = 0; i < style_count(frame); ++i)
         if (!frame.view.plan.styles[i].is_empty()) prepare(scene.needs[i]);
     for (const WantedImage& image : frame.view.images) prepare(scene.images.at(image.key).needs);
-    stream_frame_block(frame.device.frame_block, frame.view.camera, scene.light, scene.shadow.frame());
+    View told = frame.view.camera;
+    if (!frame.results.reads_clock) told.time_s = 0.0;
+    stream_frame_block(frame.device.frame_block, told, scene.light, scene.shadow.frame());
 }
 
 void draw_images(const Frame& frame)

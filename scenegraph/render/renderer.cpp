@@ -1,5 +1,6 @@
 #include "hatchway/render/renderer.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "hatchway/core/error.hpp"
@@ -30,6 +31,14 @@ class PhaseClock {
     Clock::time_point start_;
     Clock::time_point last_;
 };
+
+bool has_changing_presence(const Frame& frame)
+{
+    return std::ranges::any_of(frame.view.visible.objects, [&](const VisibleObject& visible) {
+        const StyledObject& look = frame.scene.input.objects[visible.object];
+        return look.over != kNone && changes_after(look.presence, frame.view.camera.time_s);
+    });
+}
 
 }  // namespace
 
@@ -119,6 +128,8 @@ void Renderer::State::count(FrameStats& stats, const Frame& frame)
     stats.silhouette_edges = line_counters.silhouette_edges;
     stats.images_made = static_cast<int>(frame.results.images.size());
     stats.transient_targets = frame.results.transient_targets;
+    stats.changes_with_time =
+        frame.results.reads_clock || line_counters.changes_with_time || has_changing_presence(frame);
     stats.edge_tables_built = scene->edges.line_meshes_built();
     stats.adjacencies_built = scene->edges.surfaces_built();
     stats.lightmaps_uploaded = scene->lightmap.uploaded_count();

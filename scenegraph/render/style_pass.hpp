@@ -23,11 +23,13 @@ class StylePass final : public Pass {
         const Needs& needs;
         const std::map<MapKind, int>& maps;
     };
-    StylePass(const Frame& frame, PassStage stage, const Drawer& drawer) : frame_(frame), stage_(stage), drawer_(drawer)
+    StylePass(const Frame& frame, PassStage stage, const Drawer& drawer)
+        : frame_(frame), stage_(stage), drawer_(drawer), view_(frame.view.camera)
     {
+        if (!drawer.needs.clock) view_.time_s = 0.0;
     }
 
-    const View& view() const override { return frame_.view.camera; }
+    const View& view() const override { return view_; }
     Layer layer() const override { return stage_ == PassStage::blended ? Layer::blended : Layer::opaque; }
     Items opaque_scene() const override { return frame_.whole().opaque; }
     Image image(const ImageKey& key, std::size_t output) const override;
@@ -50,6 +52,7 @@ class StylePass final : public Pass {
     const Frame& frame_;
     PassStage stage_;
     Drawer drawer_;
+    View view_;  ///< As the style is told it.
 };
 
 }  // namespace hw

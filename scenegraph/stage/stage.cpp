@@ -233,8 +233,9 @@ Reload Stage::reload_changed()
     if (changed.empty()) return Reload::nothing;
 
     const bool is_model_changed = changed.contains(Part::model);
-    Reload result = Reload::looks;
-    if (is_model_changed || changed.contains(Part::level)) result = reload_level(is_model_changed);
+    const bool is_look_changed = changed.contains(Part::shaders) || changed.contains(Part::maps);
+    Reload result = is_look_changed ? Reload::looks : Reload::nothing;
+    if (is_model_changed || changed.contains(Part::level)) result = std::max(result, reload_level(is_model_changed));
     if (changed.contains(Part::shaders)) reload_shaders();
     if (changed.contains(Part::maps)) reload_maps();
     watch_files();

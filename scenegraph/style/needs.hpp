@@ -41,6 +41,7 @@ struct Needs {
     Streams streams;
     ShadowNeed shadow = ShadowNeed::none;
     bool lightmap = false;
+    bool clock = false;  ///< View::time_s and hw_time_s; 0 without. A walk that stands still goes on drawing for it.
     std::vector<ImageKey> images;
     std::map<MapKind, MapName> maps;  ///< Maps of the style, for objects to which the level assigns none of that kind.
 };

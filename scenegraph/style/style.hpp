@@ -11,7 +11,7 @@ namespace hw {
 /// A way of drawing objects. One instance for each named style of a level. The host makes a fresh instance, visits its
 /// parameters, calls prepare(), and keeps the old instance when any of that throws.
 ///
-/// Drawing never throws, keeps no clock of its own (view().time_s) and no history: the same view gives the same bytes
+/// Drawing never throws, keeps no clock of its own (Needs::clock) and no history: the same view gives the same bytes
 /// whatever was drawn before.
 class Style {
  public:

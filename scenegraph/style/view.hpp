@@ -16,7 +16,7 @@ struct View {
     glm::ivec2 size_px{1280, 720};  ///< Device pixels of the target.
     float px_scale = 1.0f;          ///< Device pixels for one logical pixel. Widths and spacings are logical.
     bool is_mirrored = false;       ///< The view of a mirror: front faces wind clockwise.
-    double time_s = 0.0;            ///< The only clock a style may read.
+    double time_s = 0.0;            ///< The only clock a style may read, by Needs::clock.
 
     bool is_orthographic() const { return clip_from_view[3][3] == 1.0f; }
 };

@@ -56,6 +56,8 @@ std::optional<CommandCall> command_of(const KeyEvent& event, const ControlState&
             return CommandCall{Command::save_picture};
         case Key::f3:
             return CommandCall{Command::toggle_statistics};
+        case Key::f11:
+            return CommandCall{Command::toggle_full_screen};
         case Key::h:
             return CommandCall{Command::hide};
         case Key::f1:
@@ -162,6 +164,7 @@ const std::vector<KeyHelp>& key_help()
         {"H, Alt+H", "hide the object under the cross-hair; show all that is hidden"},
         {"Ctrl+Z, Ctrl+Y", "undo, redo (also Ctrl+Shift+Z)"},
         {"Ctrl+S", "save styles and what is hidden into the level file"},
+        {"F11", "full screen, and back"},
         {"F12", "save this picture beside the level"},
         {"F3", "statistics"},
         {"F1", "this help"},

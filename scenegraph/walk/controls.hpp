@@ -26,6 +26,7 @@ enum class Command : std::uint8_t {
     save_picture,
     toggle_help,
     toggle_statistics,
+    toggle_full_screen,
     play_path,
     stop_path,
 };

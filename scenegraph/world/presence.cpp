@@ -20,4 +20,9 @@ float presence_at(const PresenceField& field, float y_m, double t_s)
     return static_cast<float>(value);
 }
 
+bool changes_after(const PresenceField& field, double t_s)
+{
+    return field.constant > 0.0f && field.time && t_s < std::max(field.time->from, field.time->to);
+}
+
 }  // namespace hw

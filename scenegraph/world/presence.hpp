@@ -30,4 +30,7 @@ struct PresenceField {
 /// The field at height `y_m` and time `t_s`.
 float presence_at(const PresenceField& field, float y_m, double t_s);
 
+/// Whether the field has other values at a time after `t_s`.
+bool changes_after(const PresenceField& field, double t_s);
+
 }  // namespace hw

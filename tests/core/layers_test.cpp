@@ -113,23 +113,23 @@ struct Include {
 
 std::vector<Include> includes_of(const fs::path& file)
 {
-    static const std::regex kInclude(R"re(^\s*#\s*include\s*(["<])([^">]+)[">].*)re");
+    static const std::regex include_line(R"re(^\s*#\s*include\s*(["<])([^">]+)[">].*)re");
     std::vector<Include> found;
     std::ifstream stream(kRoot / file);
     std::smatch match;
     for (std::string line; std::getline(stream, line);)
-        if (std::regex_match(line, match, kInclude)) found.push_back({file.string(), match[2], match[1] == "\""});
+        if (std::regex_match(line, match, include_line)) found.push_back({file.string(), match[2], match[1] == "\""});
     return found;
 }
 
 std::vector<Include> includes_below(const std::vector<std::string>& folders)
 {
-    static const std::set<std::string> kExtensions{".hpp", ".cpp", ".h"};
+    static const std::set<std::string> extensions{".hpp", ".cpp", ".h"};
     std::vector<Include> found;
     for (const std::string& folder : folders) {
         if (!fs::exists(kRoot / folder)) continue;
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-            if (!entry.is_regular_file() || !kExtensions.contains(entry.path().extension())) continue;
+            if (!entry.is_regular_file() || !extensions.contains(entry.path().extension())) continue;
             const std::vector<Include> more = includes_of(fs::relative(entry.path(), kRoot));
             found.insert(found.end(), more.begin(), more.end());
         }
@@ -140,8 +140,8 @@ std::vector<Include> includes_below(const std::vector<std::string>& folders)
 /// "world/scene.hpp" of "hatchway/world/scene.hpp"; empty for what is no header of the engine.
 std::string path_in_engine(const std::string& include_name)
 {
-    static const std::string kPrefix = "hatchway/";
-    return include_name.starts_with(kPrefix) ? include_name.substr(kPrefix.size()) : "";
+    static const std::string prefix = "hatchway/";
+    return include_name.starts_with(prefix) ? include_name.substr(prefix.size()) : "";
 }
 
 /// What a style may see: style/style.hpp and everything that it includes.
@@ -226,9 +226,9 @@ std::string objection_to(const Include& include, const std::set<std::string>& pr
     if (include.is_ours && privates.contains(include.name) && (top != "scenegraph" || other != layer))
         return refuse("that header shows a third party, which is its own layer's affair");
     if (top == "npr_plugins" && include.is_ours) {
-        static const std::set<std::string> kSeen = style_headers();
+        static const std::set<std::string> seen = style_headers();
         const bool is_kit = include.name.starts_with("hatchway/kit/");
-        if (!include.name.ends_with(".glsl") && !is_kit && !kSeen.contains(include.name))
+        if (!include.name.ends_with(".glsl") && !is_kit && !seen.contains(include.name))
             return refuse("a style sees style/style.hpp and what it includes, and the kit");
     }
     if (top != "scenegraph") return {};
@@ -272,8 +272,8 @@ bool is_entry_point(const fs::path& source)
     const std::string adder = "add_" + source.stem().string() + '(';
     for (const char* list : {"editor_tools/program/commands.hpp", "editor_tools/measure/measures.hpp"})
         if (source.string().starts_with("editor_tools/") && text_of(list).find(adder) != std::string::npos) return true;
-    static const std::regex kPlugin(R"(\n(HW_STYLE|HW_IMAGE_PASS)\()");
-    return source.string().starts_with("npr_plugins/") && std::regex_search(text_of(source), kPlugin);
+    static const std::regex plugin(R"(\n(HW_STYLE|HW_IMAGE_PASS)\()");
+    return source.string().starts_with("npr_plugins/") && std::regex_search(text_of(source), plugin);
 }
 
 std::string sources_without_header(const std::string& top)
@@ -344,7 +344,7 @@ TEST(layers, only_commands_that_a_list_names_and_plugins_are_entry_points)
 TEST(layers, files_are_written_and_results_printed_in_one_place)
 {
     // Words that stand for a second way: of writing a file, of walking a tree, of printing a name from a file.
-    static const std::regex kForbidden(
+    static const std::regex forbidden(
         R"(std::ofstream|std::fstream|\bfopen\(|create_director|std::filesystem::rename|\bfs::rename|copy_file|)"
         R"(recursive_directory_iterator|std::cout|std::cerr|fmt::print|\bprintf\(|\bfputs\(|\bfprintf\(|\bputs\()");
     std::string found;
@@ -359,7 +359,7 @@ TEST(layers, files_are_written_and_results_printed_in_one_place)
             std::ifstream stream(entry.path());
             std::smatch match;
             for (std::string line; std::getline(stream, line);)
-                if (std::regex_search(line, match, kForbidden)) found += name + ": " + match.str() + '\n';
+                if (std::regex_search(line, match, forbidden)) found += name + ": " + match.str() + '\n';
         }
     EXPECT_EQ(found, "");
     EXPECT_GT(count, 200);

@@ -1,6 +1,6 @@
 #!/bin/bash
-# The walk in a real window, under Xvfb: walks, turns, changes a style, saves it, takes it back, takes a picture, survives
-# a broken level file, and quits. Exit code 77 means skipped.
+# The walk in a real window, under Xvfb: stands still, walks, turns, changes a style, saves it, takes it back, takes a
+# picture, survives a broken level file, and quits. Exit code 77 means skipped.
 #   window_test.sh PROGRAM CONTENT_FOLDER
 set -euo pipefail
 
@@ -43,6 +43,10 @@ wait_for() {
 says() { grep -q "$@"; }
 is_gone() { ! kill -0 "$walk" 2>/dev/null; }
 press() { xdotool key --clearmodifiers "$@"; sleep 0.3; }
+geometry() { xdotool getwindowgeometry "$(xdotool search --name 'prism.level.json' | head -n 1)" | grep -o '[0-9]*x[0-9]*'; }
+has_size() { [ "$(geometry)" = "$1" ]; }
+# Of the program's processor time, in hundredths of a second.
+used() { sed 's/.*) //' "/proc/$walk/stat" | awk '{ print $12 + $13 }'; }
 hold() { xdotool keydown "$1"; sleep 0.6; xdotool keyup "$1"; sleep 0.2; }
 
 cp -r "$content/levels" "$content/models" "$content/maps" "$work/"
@@ -69,6 +73,21 @@ has_window() { xdotool search --name 'prism.level.json' >/dev/null 2>&1; }
 wait_for 60 "the window" has_window
 xdotool windowfocus --sync "$(xdotool search --name 'prism.level.json' | head -n 1)"
 sleep 2
+
+# A walk that stands still sleeps: three hundredths of a core at most.
+sleeps() {
+    local before
+    before=$(used)
+    sleep 2
+    [ $(($(used) - before)) -le 6 ]
+}
+wait_for 2 "the walk that stands still to sleep" sleeps
+
+# The whole screen, and back.
+press F11
+wait_for 5 "the full screen" has_size 1024x768
+press F11
+wait_for 5 "the window to come back" has_size 640x480
 
 # A picture, a walk, a turn, and another picture: from another place, and the first is still there.
 press F12

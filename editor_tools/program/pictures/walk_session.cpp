@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <thread>
 #include <utility>
 
@@ -31,7 +32,7 @@ constexpr double kFpsPull_s = 0.4;        // the rate on screen follows frames i
 constexpr double kKeepEvery_s = 2.0;      // changes that are not saved outlive a kill when they are older
 constexpr double kAskAgain_s = 5.0;       // a question waits so long for the second press
 constexpr double kSmallestWindow_px = 1;  // a minimised window has none
-constexpr std::chrono::milliseconds kIdle(50);
+constexpr double kLook_s = 0.25;          // how often a walk that stands still looks for files that changed
 constexpr const char* kNothingAimed = "There is nothing under the cross-hair";
 
 bool is_software(const DeviceInfo& device)
@@ -145,16 +146,21 @@ void WalkSession::run()
 
 void WalkSession::frame()
 {
+    const bool is_minimised = glm::any(glm::lessThan(window_.framebuffer_size_px(), glm::ivec2(kSmallestWindow_px)));
+    if (is_minimised || stillness_.work == FrameWork::nothing) {
+        window_.wait(kLook_s);
+        last_frame_s_ = now_s();  // the walker stood still meanwhile
+    }
     const double now = now_s();
     const double seconds = std::exchange(last_frame_s_, now);
     tell_result([&] { take_input(now - seconds); });
     keep_unsaved();
     reload();
-    if (window_.framebuffer_size_px().x < kSmallestWindow_px || window_.framebuffer_size_px().y < kSmallestWindow_px) {
-        std::this_thread::sleep_for(kIdle);
-        return;
-    }
+    if (is_minimised) return;
+    has_changed_ |= stats_.changes_with_time || camera() != shown_camera_;
+    stillness_ = after_moment(stillness_, std::exchange(has_changed_, false), now);
     tell_result([this] { draw(); });
+    if (stillness_.work == FrameWork::nothing) return;
     // A software renderer has no display to wait for, and would take the whole machine.
     const double spare_s = now + 1.0 / kDeviceFps - now_s();
     if (is_software(window_.device()) && spare_s > 0.0)
@@ -166,8 +172,10 @@ void WalkSession::frame()
 void WalkSession::take_input(double seconds)
 {
     controls_.is_path_playing = playing_.has_value();
-    const Controls controls = controls_after(controls_, window_.poll());
+    const InputEvents events = window_.poll();
+    const Controls controls = controls_after(controls_, events);
     controls_ = controls.state;
+    has_changed_ |= !events.keys.empty() || events.needs_redraw || wants_to_move(controls.player) || playing_;
     for (const CommandCall& call : controls.commands) obey(call);
     follow_hidden();
     if (playing_ && wants_to_move(controls.player)) place(camera());
@@ -233,6 +241,8 @@ void WalkSession::obey(const CommandCall& call)
         case Command::toggle_statistics:
             are_statistics_shown_ = !are_statistics_shown_;
             return;
+        case Command::toggle_full_screen:
+            return window_.set_full_screen(!window_.is_full_screen());
         case Command::play_path:
             return play_path();
         case Command::stop_path:
@@ -309,6 +319,7 @@ void WalkSession::reload()
     tell_result([this] {
         const Reload changed = stage_->reload_changed();
         if (changed == Reload::nothing) return;
+        has_changed_ = true;
         if (changed == Reload::world) build_worlds();
         follow_hidden();
         build_own_collision();
@@ -330,20 +341,37 @@ void WalkSession::keep_unsaved()
 
 void WalkSession::draw()
 {
-    const FrameQuality quality = options_.samples ? FrameQuality{*options_.samples, 1.0f} : quality_of(pacing_);
+    const FrameWork work = stillness_.work;
+    const double before_s = now_s();
+    if (work == FrameWork::paced)
+        draw_picture(options_.samples ? FrameQuality{*options_.samples} : quality_of(pacing_));
+    if (work == FrameWork::sharp) draw_picture({.samples = options_.samples.value_or(FrameQuality().samples)});
+    const Overlay overlay = overlay_now();
+    if (work == FrameWork::nothing && overlay == overlay_) return;
+    overlay_ = overlay;
+    stage_->renderer().present(overlay_, window_.content_scale());
+    if (work == FrameWork::paced) pacing_ = after_frame(pacing_, goal_, 1000.0 * (now_s() - before_s));
+    window_.swap();
+}
+
+void WalkSession::draw_picture(const FrameQuality& quality)
+{
     const glm::vec2 window_size(window_.framebuffer_size_px());
     const glm::ivec2 size = glm::max(glm::ivec2(glm::round(window_size * quality.render_scale)), glm::ivec2(1));
-    const float content_scale = window_.content_scale();
-
-    const double before_s = now_s();
-    const View now = view(size, content_scale * quality.render_scale);
+    const View now = view(size, window_.content_scale() * quality.render_scale);
+    quality_ = quality;
+    shown_camera_ = camera();
     stats_ = stage_->draw(now, {.samples = quality.samples, .use_pvs = !options_.level.without_pvs, .is_timed = true});
-    const WalkFacts shown = facts(quality, aimed_object(), window_size.x / content_scale);
-    Overlay overlay = walk_overlay(shown);
-    overlay.lines = shown_lines(*stage_, options_.show, leaks_, now, window_size / content_scale);
-    stage_->renderer().present(overlay, content_scale);
-    pacing_ = after_frame(pacing_, goal_, 1000.0 * (now_s() - before_s));
-    window_.swap();
+}
+
+Overlay WalkSession::overlay_now()
+{
+    const float content_scale = window_.content_scale();
+    const glm::vec2 window_size = glm::vec2(window_.framebuffer_size_px()) / content_scale;
+    Overlay overlay = walk_overlay(facts(aimed_object(), window_size.x));
+    const View now = view(glm::max(window_.framebuffer_size_px(), glm::ivec2(1)), content_scale);
+    overlay.lines = shown_lines(*stage_, options_.show, leaks_, now, window_size);
+    return overlay;
 }
 
 double WalkSession::now_s() const
@@ -377,7 +405,7 @@ std::optional<ObjectId> WalkSession::aimed_object() const
     return hit ? std::optional(hit->object) : std::nullopt;
 }
 
-WalkFacts WalkSession::facts(const FrameQuality& quality, const std::optional<ObjectId>& aimed, float width)
+WalkFacts WalkSession::facts(const std::optional<ObjectId>& aimed, float width)
 {
     std::erase_if(notices_, [this](const Notice& notice) { return notice.until_s < now_s(); });
     WalkFacts facts{.is_mouse_captured = controls_.is_mouse_captured,
@@ -387,7 +415,7 @@ WalkFacts WalkSession::facts(const FrameQuality& quality, const std::optional<Ob
                     .are_statistics_shown = are_statistics_shown_,
                     .has_unsaved = styles_->has_unsaved(),
                     .fps = 1.0 / frame_s_,
-                    .quality = describe(quality),
+                    .quality = describe(quality_),
                     .stats = stats_,
                     .problems = stage_->messages(),
                     .activity = stage_->activity(),

@@ -14,6 +14,7 @@
 #include "hatchway/walk/frame_pacing.hpp"
 #include "hatchway/walk/pick.hpp"
 #include "hatchway/walk/player.hpp"
+#include "hatchway/walk/stillness.hpp"
 #include "hatchway/walk/walk_overlay.hpp"
 #include "hatchway/walk/walk_styles.hpp"
 #include "program/arguments.hpp"
@@ -69,14 +70,17 @@ class WalkSession {
     std::string save_picture();
     void reload();
     void keep_unsaved();
+    /// What stillness asks for, and the words over it.
     void draw();
+    void draw_picture(const FrameQuality& quality);
+    Overlay overlay_now();
 
     double now_s() const;
     Camera camera() const;
     double view_time_s() const;
     View view(glm::ivec2 size_px, float px_scale) const;
     std::optional<ObjectId> aimed_object() const;
-    WalkFacts facts(const FrameQuality& quality, const std::optional<ObjectId>& aimed, float width);
+    WalkFacts facts(const std::optional<ObjectId>& aimed, float width);
     void tell(const std::string& text, double seconds = 4.0);
     /// Runs `action` and tells what it returns, or what it threw.
     template <typename Action>
@@ -101,7 +105,14 @@ class WalkSession {
 
     PacingState pacing_;
     PacingGoal goal_;
+    Stillness stillness_;
+    bool has_changed_ = true;  ///< What the picture shows, since the last frame.
+    // Of the picture that was drawn last.
+    FrameQuality quality_;
     FrameStats stats_;
+    Camera shown_camera_;
+    Overlay overlay_;  ///< Over it in the window.
+
     double frame_s_ = 1.0 / 60.0;  ///< A mean of late, for the rate on screen.
     Clock::time_point start_ = Clock::now();
     double last_frame_s_ = 0.0;

@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kExtension = "EXT_mesh_primitive_edge_visibility";
 constexpr int kUnsignedByte = 5121;
 
-enum Visibility : std::uint8_t { kHidden, kSilhouette, kDrawn, kRepeated };
+enum Visibility : std::uint8_t { hidden, silhouette, drawn, repeated };
 
 /// What each edge of a surface shows, by its two positions, lower first.
 using EdgeValues = std::map<std::array<std::uint32_t, 2>, Visibility>;
@@ -34,14 +34,14 @@ EdgeValues edge_values(const Surface& surface, float crease_rad, EdgeExport& cou
         for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
             const auto [a, b] = edge_vertices(surface, edge);
             values[{std::min(a, b), std::max(a, b)}] = value;
-            ++(value == kDrawn ? counts.drawn_edges : counts.silhouette_edges);
+            ++(value == Visibility::drawn ? counts.drawn_edges : counts.silhouette_edges);
         }
     };
-    for (const EdgeRange range : classes.candidates) add(range, kSilhouette);
-    for (const EdgeRange range : classes.ridges) add(range, kDrawn);
-    for (const EdgeRange range : classes.valleys) add(range, kDrawn);
-    for (const EdgeRange range : classes.artist) add(range, kDrawn);
-    add(classes.borders, kDrawn);
+    for (const EdgeRange range : classes.candidates) add(range, Visibility::silhouette);
+    for (const EdgeRange range : classes.ridges) add(range, Visibility::drawn);
+    for (const EdgeRange range : classes.valleys) add(range, Visibility::drawn);
+    for (const EdgeRange range : classes.artist) add(range, Visibility::drawn);
+    add(classes.borders, Visibility::drawn);
     return values;
 }
 
@@ -72,7 +72,7 @@ std::vector<std::uint8_t> visibility_bits(const MeshData& mesh, const Surface& s
         const auto found = values.find({std::min(from, to), std::max(from, to)});
         if (found == values.end()) continue;
         bits[i / 4] = static_cast<std::uint8_t>(bits[i / 4] | found->second << (2 * (i % 4)));
-        if (found->second == kDrawn) found->second = kRepeated;
+        if (found->second == Visibility::drawn) found->second = Visibility::repeated;
     }
     return bits;
 }

@@ -51,11 +51,11 @@ int MaterialImporter::import_material(int index)
 
 Material MaterialImporter::convert(std::size_t index)
 {
-    static const json kNothing = json::object();
+    static const json nothing = json::object();
     const tinygltf::Material& source = model_.data.materials[index];
     const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
     const json& stated = model_.json.at("materials")[index];
-    const json& stated_pbr = stated.contains("pbrMetallicRoughness") ? stated.at("pbrMetallicRoughness") : kNothing;
+    const json& stated_pbr = stated.contains("pbrMetallicRoughness") ? stated.at("pbrMetallicRoughness") : nothing;
     const std::string pointer = pointer_to("/materials", index);
 
     Material material;

@@ -156,6 +156,7 @@ void LineDrawer::draw(const LineFrame& frame, const LineRun& run, const EdgeStor
     const LineLook& look = run.look;
     const std::span<const LineItem> items = run.items;
     const LinePath path = path_for(frame, run);
+    counters_.changes_with_time |= changes_after(look.share, frame.view.time_s);
     const std::vector<std::uint32_t> first_lines = stream_silhouettes(frame, run, edges);
     for (const bool with_presence : {false, true}) {
         const auto is_now = [&](const LineItem& item) {

@@ -45,7 +45,8 @@ struct LineRun {
 struct LineCounters {
     int silhouette_extractions = 0;
     std::uint64_t silhouette_edges = 0;
-    std::uint64_t lines = 0;  ///< Drawn, by whichever path.
+    std::uint64_t lines = 0;         ///< Drawn, by whichever path.
+    bool changes_with_time = false;  ///< A share of lines over time is not at its end.
 };
 
 /// Draws objects' lines: those of their line meshes, and the silhouettes from this eye. Hidden parts fall to the depth

@@ -22,6 +22,9 @@ struct FrameStats {
     std::uint64_t silhouette_edges = 0;
     int images_made = 0;        ///< Shared images and image passes of this frame.
     int transient_targets = 0;  ///< Results of Pass::render and Pass::filter.
+    /// The same view looks different later: what is visible needs the clock, or its presence or a share of its lines
+    /// over time is not at its end.
+    bool changes_with_time = false;
     // Products since load().
     int edge_tables_built = 0;
     int adjacencies_built = 0;

@@ -14,6 +14,8 @@ struct OverlayText {
     std::string text;
     glm::vec4 colour{1.0f, 1.0f, 1.0f, 1.0f};  ///< sRGB and alpha.
     glm::vec4 background{0.0f, 0.0f, 0.0f, 0.6f};
+
+    bool operator==(const OverlayText&) const = default;
 };
 
 /// A straight line over the picture, in logical pixels from the top left corner.
@@ -22,6 +24,8 @@ struct OverlayLine {
     glm::vec2 to_px{0.0f};
     glm::vec4 colour{1.0f, 1.0f, 1.0f, 1.0f};  ///< sRGB and alpha.
     float width_px = 1.0f;
+
+    bool operator==(const OverlayLine&) const = default;
 };
 
 /// What is drawn over a finished picture: lines, then texts.
@@ -29,6 +33,8 @@ struct Overlay {
     std::vector<OverlayLine> lines;
     std::vector<OverlayText> texts;
     bool has_cross_hair = false;
+
+    bool operator==(const Overlay&) const = default;
 };
 
 }  // namespace hw

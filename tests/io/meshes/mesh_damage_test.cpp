@@ -30,8 +30,8 @@ std::vector<GoodFile> good_files()
 /// One to four changes: a byte, a word replaced, a stretch cut out or doubled, the end cut off.
 std::string damaged(std::string text, std::mt19937& random)
 {
-    static const std::string kWords[] = {"4294967295", "-1", "nan",  "1e39", "0",      "\n", "element face 9",
-                                         "f 1 2 3 4",  "//", "\\\n", "#",    "vertex", " ",  std::string(300, '7')};
+    static const std::string words[] = {"4294967295", "-1", "nan",  "1e39", "0",      "\n", "element face 9",
+                                        "f 1 2 3 4",  "//", "\\\n", "#",    "vertex", " ",  std::string(300, '7')};
     const auto below = [&](std::size_t count) { return count == 0 ? 0 : random() % count; };
     for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
         const std::size_t place = below(text.size());
@@ -41,7 +41,7 @@ std::string damaged(std::string text, std::mt19937& random)
                 if (!text.empty()) text[place] = static_cast<char>(random());
                 break;
             case 1:
-                text.replace(place, length / 8, kWords[below(std::size(kWords))]);
+                text.replace(place, length / 8, words[below(std::size(words))]);
                 break;
             case 2:
                 text.erase(place, length);

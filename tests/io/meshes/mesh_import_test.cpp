@@ -29,7 +29,7 @@ std::multiset<Triangle> triangles_of(const hw::Scene& scene)
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             Triangle triangle;
             for (std::size_t k = 0; k < 3; ++k) triangle[k] = point_of(mesh.positions[mesh.indices[i + k]]);
-            std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+            std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
             all.insert(triangle);
         }
     return all;

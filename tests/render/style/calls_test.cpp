@@ -87,6 +87,7 @@ TEST_F(calls, tell_the_view)
 {
     add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, Material{});
     ScriptedStyle style;
+    style.needed.clock = true;
     View told_view;
     style.draws_surfaces = [&](Pass& pass, Items) { told_view = pass.view(); };
     load(style);

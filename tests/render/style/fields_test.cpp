@@ -66,6 +66,7 @@ TEST_F(fields, of_a_surface_tell_where_it_is)
     add_object(scene_, full_square(), world, painted(glm::vec3(1.0f)));
     View view = camera_view({{1, 2, 9}, {1, 2, 3}, 60.0}, {320, 240}, scene_.bounds_world, 2.0f);
     view.time_s = 1.5;
+    style_.needed.clock = true;
     constexpr Condition kConditions[]{
         {"position_world", "distance(s.position_world, vec3(1.0, 2.0, 3.0)) < 0.03"},
         {"position_object", "length(s.position_object) < 0.015"},

@@ -15,9 +15,9 @@ void GltfChecked::refuse(const std::string& pointer, std::string what, std::stri
 
 const json& GltfChecked::list(const char* name) const
 {
-    static const json kEmpty = json::array();
+    static const json empty = json::array();
     const auto found = root.find(name);
-    return found == root.end() ? kEmpty : *found;
+    return found == root.end() ? empty : *found;
 }
 
 const json& GltfChecked::accessor(const json& index) const
