@@ -27,6 +27,9 @@ TEST(lines, of_the_prism_are_drawn_by_class_and_told_as_json)
     EXPECT_EQ(found["width"], 400);
     EXPECT_EQ(found["height"], 300);
     EXPECT_EQ(found["mode"], "all");
+    EXPECT_GT(found["prepare_ms"], 0.0);
+    EXPECT_GT(found["find_ms"], 0.0);
+    EXPECT_THAT(result.out, testing::MatchesRegex("prepared in [0-9.]+ ms\n.* lines in [0-9.]+ ms\n"));
     std::set<std::string> classes;
     bool has_hidden = false;
     for (const json& line : found["lines"]) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <numbers>
 
 #include "hatchway/core/error.hpp"
@@ -69,6 +70,17 @@ LevelLines lines_of(const LinesArguments& arguments, const Level& level, const S
     return LevelLines(scene, level_pens(level, scene, registry, view), crease_rad);
 }
 
+/// Where the time goes: what is done once for a scene, and what for each view (the median of the runs).
+struct LineTimes {
+    double prepare_ms = 0.0;
+    double find_ms = 0.0;
+};
+
+double ms_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 JsonValue point_json(double x, double y)
 {
     const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
@@ -81,7 +93,7 @@ JsonValue exact_vector(const glm::dvec3& v)
 }
 
 JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& level, const LineCamera& camera,
-                     const std::string& mode)
+                     const std::string& mode, const LineTimes& times)
 {
     JsonValue lines = JsonValue::array();
     for (const VisibleLine& line : found) {
@@ -100,18 +112,19 @@ JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& le
     else
         json.set("vfov_deg", camera.fov_rad / kRadians);
     json.set("eye", exact_vector(camera.eye_world)).set("target", exact_vector(camera.target_world));
+    json.set("prepare_ms", times.prepare_ms).set("find_ms", times.find_ms);
     return json.set("mode", mode).set("lines", std::move(lines));
 }
 
 void write_results(const LinesArguments& arguments, const std::vector<VisibleLine>& found, LevelLines& lines,
-                   const LineCamera& camera, const Level& level)
+                   const LineCamera& camera, const Level& level, const LineTimes& times)
 {
     require_unread({{"--out", arguments.out}, {"--json", arguments.json}});
     VectorDrawing drawing = lines.drawing(found, camera);
     drawing.title = arguments.file.stem().stem().string();
     if (level.background) drawing.paper_srgb = *level.background;
     arguments.out.extension() == ".svg" ? write_svg(arguments.out, drawing) : write_pdf(arguments.out, drawing);
-    if (!arguments.json.empty()) write_json(arguments.json, lines_json(found, lines, camera, arguments.mode));
+    if (!arguments.json.empty()) write_json(arguments.json, lines_json(found, lines, camera, arguments.mode, times));
 }
 
 void draw_lines(const LinesArguments& arguments)
@@ -127,18 +140,21 @@ void draw_lines(const LinesArguments& arguments)
     const Shot shot = shots_of(arguments.shot, level, scene, static_cast<double>(size.x) / size.y).front();
     const View view = camera_view(shot.camera, size, scene.bounds_world);
     const LineCamera camera = line_camera(shot.camera, view);
+    const auto start = std::chrono::steady_clock::now();
     LevelLines lines = lines_of(arguments, level, scene, registry, view);
-
     VisibleLineOptions options = line_options(arguments);
     if (arguments.mode == "all") options.intersections = lines.intersections();
-    double seconds = 0.0;
+    LineTimes times{.prepare_ms = ms_since(start)};
+    double find_s = 0.0;
     const std::vector<VisibleLine> found =
-        timed_visible_lines(lines.objects(), camera, options, arguments.runs, seconds);
-    write_results(arguments, found, lines, camera, level);
+        timed_visible_lines(lines.objects(), camera, options, arguments.runs, find_s);
+    times.find_ms = 1e3 * find_s;
+    write_results(arguments, found, lines, camera, level, times);
+    print_line(fmt::format("prepared in {:.1f} ms", times.prepare_ms));
     const auto seen = std::count_if(found.begin(), found.end(), [](const auto& line) { return line.is_visible; });
     print_line(fmt::format("{} triangles, {} objects: {} visible and {} hidden lines in {:.1f} ms",
                            drawn_triangle_count(scene), scene.objects.size(), seen,
-                           static_cast<std::ptrdiff_t>(found.size()) - seen, 1e3 * seconds));
+                           static_cast<std::ptrdiff_t>(found.size()) - seen, times.find_ms));
 }
 
 void add_picture_arguments(CommandLine command, LinesArguments& arguments)
