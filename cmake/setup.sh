@@ -9,7 +9,7 @@ packages=(
     libopenmesh-dev libtbb-dev libembree-dev
     libgtest-dev libgmock-dev libgmp-dev
 )
-check_packages=(xvfb xauth xdotool strace clang-format)
+check_packages=(xvfb xauth xdotool strace clang-format glslang-tools)
 check_all_packages=(clang clang-tidy)
 
 # install_missing_packages PACKAGE...: installs the Debian packages that are missing; says nothing when all are there.

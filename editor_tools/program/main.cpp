@@ -3,6 +3,7 @@
 #include "hatchway/core/budget.hpp"
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
+#include "hatchway/gl/context.hpp"
 #include "program/commands.hpp"
 #include "program/option_rules.hpp"
 
@@ -22,6 +23,12 @@ void add_general_options(hw::CommandLine app)
     app.add_option("--budget-factor", hw::Budget::factor(),
                    "Opens levels this many times as large as the limits for strangers' files allow")
         .check(hw::number_in(1.0, 1e6));
+    app.add_flag(
+        "--as-software", [] { hw::take_devices_for(hw::DeviceKind::software); },
+        "Draw as on a software renderer, whatever the device is");
+    app.add_flag(
+        "--as-hardware", [] { hw::take_devices_for(hw::DeviceKind::hardware); },
+        "Draw as on a graphics card, whatever the device is");
     app.footer("Exit codes: 0 done, 1 our fault, 2 bad usage or bad input.");
 }
 

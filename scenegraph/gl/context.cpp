@@ -1,5 +1,6 @@
 #include "hatchway/gl/context.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -24,14 +25,26 @@ std::string gl_string(GLenum name)
     return text == nullptr ? "" : reinterpret_cast<const char*>(text);
 }
 
+DeviceKind& taken_for()
+{
+    static DeviceKind kind = DeviceKind::as_found;
+    return kind;
+}
+
+bool is_software(const std::string& renderer)
+{
+    if (taken_for() != DeviceKind::as_found) return taken_for() == DeviceKind::software;
+    return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "SwiftShader"},
+                               [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
 DeviceInfo ask_device()
 {
     DeviceInfo info;
     info.vendor = gl_string(GL_VENDOR);
     info.renderer = gl_string(GL_RENDERER);
     info.version = gl_string(GL_VERSION);
-    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader"})
-        info.is_software |= info.renderer.find(name) != std::string::npos;
+    info.is_software = is_software(info.renderer);
     info.is_es = !epoxy_is_desktop_gl();
     if (epoxy_gl_version() < (info.is_es ? 30 : 33))
         throw Error({.what = "this device offers " + info.version,
@@ -70,6 +83,11 @@ const char* error_name(GLenum error)
 }
 
 }  // namespace
+
+void take_devices_for(DeviceKind kind)
+{
+    taken_for() = kind;
+}
 
 void Context::start()
 {

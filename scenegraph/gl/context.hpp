@@ -7,12 +7,18 @@
 
 namespace hw {
 
+/// What a device is taken for: see DeviceInfo::is_software.
+enum class DeviceKind : unsigned char { as_found, software, hardware };
+
+/// What contexts that are made from now on, in the whole process, take their devices for.
+void take_devices_for(DeviceKind kind);
+
 /// What the device can do, as far as the engine asks.
 struct DeviceInfo {
     std::string vendor;
     std::string renderer;
     std::string version;
-    bool is_software = false;        ///< A software renderer: what a GPU does for nothing costs time there.
+    bool is_software = false;        ///< Taken for a software renderer: what a GPU does for nothing costs time there.
     bool is_es = false;              ///< OpenGL ES 3; else desktop OpenGL 3.3 core or later.
     float max_line_width_px = 1.0f;  ///< Widest aliased line that may be drawn.
     float max_point_size_px = 1.0f;

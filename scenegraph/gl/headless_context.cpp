@@ -17,7 +17,7 @@ namespace {
 [[noreturn]] void throw_no_device(const std::string& what)
 {
     throw Error(
-        {.what = what, .expected = "EGL with EGL_MESA_platform_surfaceless and OpenGL 3.3", .fault = Fault::device});
+        {.what = what, .expected = "EGL without a surface, and OpenGL 3.3 or OpenGL ES 3.0", .fault = Fault::device});
 }
 
 EGLDisplay surfaceless_display()
@@ -42,8 +42,10 @@ EGLConfig any_config(EGLDisplay display, bool is_es)
     return config;
 }
 
+/// EGL_NO_CONTEXT where the display offers none of this kind.
 EGLContext make_context(EGLDisplay display, const HeadlessOptions& options)
 {
+    if (!eglBindAPI(options.is_es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, options.is_es ? 0 : 3};
     if (!options.is_es) {
         attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
@@ -55,11 +57,16 @@ EGLContext make_context(EGLDisplay display, const HeadlessOptions& options)
 
 class HeadlessContext final : public Context {
  public:
-    explicit HeadlessContext(const HeadlessOptions& options)
-        : display_(surfaceless_display()), api_(options.is_es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)
+    explicit HeadlessContext(const HeadlessOptions& options) : display_(surfaceless_display())
     {
-        eglBindAPI(api_);
-        context_ = make_context(display_, options);
+        // EGL before 1.5 knows no debug contexts, and some devices have OpenGL ES alone.
+        const HeadlessOptions without_debug{.is_es = options.is_es, .is_debug = false};
+        const HeadlessOptions es{.is_es = true, .is_debug = false};
+        for (const HeadlessOptions& wanted : {options, without_debug, es}) {
+            context_ = make_context(display_, wanted);
+            api_ = wanted.is_es ? EGL_OPENGL_ES_API : EGL_OPENGL_API;
+            if (context_ != EGL_NO_CONTEXT) break;
+        }
         if (context_ == EGL_NO_CONTEXT) throw_no_device("the headless device offers no context");
         HeadlessContext::make_current();
         start();
@@ -82,7 +89,7 @@ class HeadlessContext final : public Context {
 
  private:
     EGLDisplay display_;
-    EGLenum api_;
+    EGLenum api_ = EGL_OPENGL_API;
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 

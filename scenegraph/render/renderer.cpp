@@ -138,10 +138,12 @@ void Renderer::State::count(FrameStats& stats, const Frame& frame)
     stats.programs_compiled = device.programs.compiled_count();
 }
 
-FrameStats Renderer::draw(const View& camera, const FrameOptions& options)
+FrameStats Renderer::draw(const View& camera, const FrameOptions& wanted)
 {
     HW_ASSERT(state_->scene != nullptr && camera.size_px.x > 0 && camera.size_px.y > 0);
     RenderDevice& device = state_->device;
+    FrameOptions options = wanted;
+    options.samples = std::min(wanted.samples, device.context.device().max_samples);
     LoadedScene& scene = *state_->scene;
     FrameStats stats;
     PhaseClock clock(options.is_timed);

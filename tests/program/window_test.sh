@@ -52,6 +52,8 @@ hold() { xdotool keydown "$1"; sleep 0.6; xdotool keyup "$1"; sleep 0.2; }
 cp -r "$content/levels" "$content/models" "$content/maps" "$work/"
 cd "$work"
 level=levels/prism.level.json
+plan='"plan": {"position": [0, 4, 0], "look_at": [0, 0, 0], "orthographic": {"height_m": 6}}'
+sed -i "s|^  \"cameras\": {|&\n    $plan,|" "$level"
 
 # Without a display it says so, and what to do instead.
 status=0
@@ -145,6 +147,17 @@ press F12
 wait_for 10 "a picture beside a broken level" has_picture 3
 printf '%s\n' "$good" >"$level"
 sleep 1.5
+
+# A plan stands as it is until the walker moves, who sees in perspective; what was saved since has kept it in the level.
+press 1
+press F12
+wait_for 10 "the picture of the plan" has_picture 4
+hold w
+press F12
+wait_for 10 "the picture after the plan" has_picture 5
+[ "$(grep -o -- '--ortho 6$\|--fov-deg 60$' log | tail -n 2 | tr '\n' ' ')" = "--ortho 6 --fov-deg 60 " ] ||
+    fail "the plan is not in parallel projection, or walking from it not in perspective"
+grep -qF "$plan" "$level" || fail "saving lost the parallel projection of a camera"
 
 # The mouse: a click takes it, Esc gives it back, a second Esc does nothing; Q quits.
 xdotool click 1

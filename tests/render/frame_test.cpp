@@ -206,7 +206,7 @@ TEST_F(frame, a_scene_far_from_the_origin_looks_as_one_at_it)
     add_object(scene_, sphere_mesh(1.0f, 12), glm::translate(kHere, offset), painted({0.2f, 0.6f, 0.4f}));
     load(style);
     const Pixels far_away = draw(view_from(offset + glm::dvec3(1, 1, 4), offset));
-    EXPECT_LT(count_unlike(near_origin, far_away, 3), 40);
+    EXPECT_LT(share_unlike(near_origin, far_away, 3), 0.005);
 }
 
 TEST_F(frame, the_shadow_map_is_drawn_once_and_shades_what_the_light_does_not_reach)

@@ -128,6 +128,7 @@ TEST_F(lines, leave_faces_at_their_own_depth)
     load(style_);
     for (const int samples : {1, 4}) {
         const Pixels pixels = draw_with(LinePath::quads, view_from({0, 0.4, 9.5}, {0, 0, -4}), samples);
+        keep_picture(pixels, "lines_floor_over_walls");
         int red = 0;
         for (int y = 125; y < pixels.height; ++y)
             for (int x = 0; x < pixels.width; ++x) red += pixels.at(x, y)[0] > pixels.at(x, y)[1] + 40 ? 1 : 0;

@@ -189,6 +189,15 @@ int count_unlike(const Pixels& a, const Pixels& b, int tolerance)
     return count;
 }
 
+double share_unlike(const Pixels& a, const Pixels& b, int tolerance)
+{
+    const auto pixels = static_cast<int>(a.bytes.size() / 3);
+    const int inked =
+        count_unlike(a, {a.width, a.height, a.channels, std::vector<std::uint8_t>(a.bytes.size(), 255)}, 5);
+    EXPECT_GT(inked, pixels / 200) << "almost nothing is drawn";
+    return static_cast<double>(count_unlike(a, b, tolerance)) / std::max(inked, 1);
+}
+
 int count_dark(const Pixels& pixels, int below)
 {
     int count = 0;

@@ -68,6 +68,8 @@ class RendererTest : public testing::Test {
 void keep_picture(const Pixels& pixels, const std::string& name);
 
 int count_unlike(const Pixels& a, const Pixels& b, int tolerance = 0);
+/// The same as a share of the pixels of `a` that are not paper.
+double share_unlike(const Pixels& a, const Pixels& b, int tolerance = 0);
 /// Pixels darker than the threshold.
 int count_dark(const Pixels& pixels, int below = 128);
 

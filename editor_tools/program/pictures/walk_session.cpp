@@ -35,13 +35,6 @@ constexpr double kSmallestWindow_px = 1;  // a minimised window has none
 constexpr double kLook_s = 0.25;          // how often a walk that stands still looks for files that changed
 constexpr const char* kNothingAimed = "There is nothing under the cross-hair";
 
-bool is_software(const DeviceInfo& device)
-{
-    const std::string& name = device.renderer;
-    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
-           name.find("SwiftShader") != std::string::npos;
-}
-
 double aspect_of(const Window& window)
 {
     const glm::ivec2 size = window.framebuffer_size_px();
@@ -75,7 +68,7 @@ std::string camera_arguments(const Camera& camera)
 
 WalkSession::WalkSession(Window& window, WalkOptions options) : window_(window), options_(std::move(options))
 {
-    const double usual_fps = is_software(window.device()) ? kSoftwareFps : kDeviceFps;
+    const double usual_fps = window.device().is_software ? kSoftwareFps : kDeviceFps;
     goal_.target_fps = options_.target_fps > 0.0 ? options_.target_fps : usual_fps;
     open(stage_options(options_.level, CompiledUse::in_background));
     warn_of_idle_styles(stage_->level(), stage_->scene(), options_.level.styles.size());
@@ -163,7 +156,7 @@ void WalkSession::frame()
     if (stillness_.work == FrameWork::nothing) return;
     // A software renderer has no display to wait for, and would take the whole machine.
     const double spare_s = now + 1.0 / kDeviceFps - now_s();
-    if (is_software(window_.device()) && spare_s > 0.0)
+    if (window_.device().is_software && spare_s > 0.0)
         std::this_thread::sleep_for(std::chrono::duration<double>(spare_s));
     const double frame_s = std::max(now_s() - now, 1e-4);
     frame_s_ = std::lerp(frame_s_, frame_s, 1.0 - std::exp(-frame_s / kFpsPull_s));

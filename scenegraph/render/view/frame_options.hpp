@@ -18,7 +18,7 @@ struct FaceOffset {
 };
 
 struct FrameOptions {
-    int samples = 4;  ///< 1 or 4.
+    int samples = 4;  ///< 1 or 4; fewer where the device has no more.
     bool use_pvs = true;
     bool skips_hidden = true;  ///< Leaves objects unshaded that others hide, where that pays. Never changes a pixel.
     LinePath line_path = LinePath::quads;

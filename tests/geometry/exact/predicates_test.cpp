@@ -96,6 +96,23 @@ TEST(facing, an_eye_in_the_plane_of_a_face_is_neither_in_front_nor_behind)
     EXPECT_EQ(hw::facing_sign(a, b, c, {glm::dvec3(5.0, std::nextafter(double{0.2f}, 0.0), -3.0)}), 1);
 }
 
+TEST(facing, agrees_with_rational_arithmetic_whichever_stage_decides)
+{
+    NearLattice next;
+    int by_filter = 0, sides_by_exact = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const glm::vec3 a(next()), b(next()), c(next());
+        const glm::dvec3 eye = next();
+        hw::PredicateStage stage = hw::PredicateStage::filter;
+        const int expected = rational_sign(glm::dvec3(a), glm::dvec3(b), glm::dvec3(c), eye, 1.0);
+        ASSERT_EQ(hw::facing_sign(a, b, c, {eye}, &stage), expected) << "trial " << i;
+        by_filter += stage == hw::PredicateStage::filter;
+        sides_by_exact += stage == hw::PredicateStage::exact && expected != 0;
+    }
+    EXPECT_GT(by_filter, 10000);
+    EXPECT_GT(sides_by_exact, 100) << "the exact stage tells sides, not only planes";
+}
+
 TEST(facing, needs_exact_arithmetic_only_close_to_the_plane)
 {
     const glm::vec3 a(0.1f, 0.7f, 0.3f), b(1.3f, 0.9f, 0.2f), c(0.4f, 1.1f, 0.9f);
