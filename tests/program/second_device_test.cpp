@@ -103,8 +103,8 @@ void keep(const Shown& shown, const std::string& compared, const Difference& fou
         std::ofstream(file) << nlohmann::ordered_json{{"rows", rows}}.dump(2) << '\n';
 }
 
-/// One inked pixel in a hundred may be unlike: an edge that falls to the neighbouring pixel.
-void expect_same_pictures(const Device& one, const Device& other, const std::string& other_name)
+/// At most this share of the inked pixels may be unlike: edges that fall to the neighbouring pixel.
+void expect_same_pictures(const Device& one, const Device& other, const std::string& other_name, double most)
 {
     for (const Shown& shown : what_is_shown()) {
         const Picture a = picture_of(shown, one);
@@ -114,13 +114,13 @@ void expect_same_pictures(const Device& one, const Device& other, const std::str
         const Difference found = difference(a.pixels, b.pixels);
         keep(shown, other_name.empty() ? "hardware" : other_name, found);
         EXPECT_GT(found.inked, 2000) << shown.name;
-        EXPECT_LT(100 * found.unlike, found.inked) << shown.name << ", at most " << found.largest << " apart";
+        EXPECT_LE(found.unlike, most * found.inked) << shown.name << ", at most " << found.largest << " apart";
     }
 }
 
 TEST(second_device, draws_the_same_with_softpipe)
 {
-    expect_same_pictures({kOneSample, {}}, {kOneSample, {"GALLIUM_DRIVER=softpipe"}}, "softpipe");
+    expect_same_pictures({kOneSample, {}}, {kOneSample, {"GALLIUM_DRIVER=softpipe"}}, "softpipe", 0.005);
 }
 
 /// ANGLE on SwiftShader, as browsers bring it: HATCHWAY_ANGLE names the folder with its libEGL.so and libGLESv2.so.
@@ -135,13 +135,14 @@ TEST(second_device, draws_the_same_with_angle)
     fs::create_symlink(fs::path(angle) / "libEGL.so", folder / "libEGL.so.1");
     fs::create_symlink(fs::path(angle) / "libGLESv2.so", folder / "libGLESv2.so.2");
     const Words environment{"ANGLE_DEFAULT_PLATFORM=swiftshader", "LD_LIBRARY_PATH=" + folder.path().string()};
-    expect_same_pictures({}, {{}, environment}, "ANGLE");
+    // Vertices lie on sixteenths of a pixel there, so every edge may lie elsewhere.
+    expect_same_pictures({}, {{}, environment}, "ANGLE", 0.025);
 }
 
 /// What only a software renderer takes, and what only a graphics card: docs/devices.md lists it.
 TEST(second_device, draws_the_same_taken_for_hardware_and_for_software)
 {
-    expect_same_pictures({{"--as-software"}, {}}, {{"--as-hardware"}, {}}, "");
+    expect_same_pictures({{"--as-software"}, {}}, {{"--as-hardware"}, {}}, "", 0.001);
 }
 
 }  // namespace
