@@ -60,6 +60,7 @@ MeshTotals totals_of(const Scene& scene)
         totals.report.border_edges += report.border_edges;
         totals.report.complex_edges += report.complex_edges;
         totals.report.stitched_edges += report.stitched_edges;
+        totals.report.pinholes += report.pinholes;
         totals.report.t_junction_edges += report.t_junction_edges;
         totals.report.artist_edges += report.artist_edges;
         totals.report.components += report.components;
@@ -100,7 +101,7 @@ JsonValue info_json(const LevelWorld& world, const CompiledLevel& compiled, cons
     json.set("inward_components", report.inward_components);
     json.set("reflex_rule_components", report.reflex_rule_components);
     json.set("edges", totals.edges).set("borders", report.border_edges);
-    json.set("t_junction_edges", report.t_junction_edges);
+    json.set("t_junction_edges", report.t_junction_edges).set("pinholes", report.pinholes);
     json.set("stitched_edges", report.stitched_edges).set("complex_edges", report.complex_edges);
     json.set("artist_edges", report.artist_edges).set("inconsistent_edges", report.inconsistent_edges);
     json.set("flips_repaired", report.flipped_faces);
@@ -123,7 +124,8 @@ void print_info(const LevelWorld& world, const CompiledLevel& compiled, const Me
         "model       {} objects{}, {} meshes, {} triangles ({} drawn)\n"
         "faces       {} removed, {} doubled, {} collinear, {} needles, {} flips repaired\n"
         "components  {}, {} closed ({} of them inward), {} with the right to the reflex rule\n"
-        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} T-junctions closed, {} inconsistent\n"
+        "edges       {}: {} borders, {} complex, {} artist's, {} stitched, {} T-junctions and {} pinholes closed, {} "
+        "inconsistent\n"
         "bytes       {:.1f} an edge, crease or candidate, and {:.1f} in clusters; {:.1f} a face in planes\n"
         "visibility  {} leaves, {} portals ({} coarse), from {} polygons; a leaf sees {:.1f} % of the triangles; "
         "{}\n",
@@ -131,7 +133,7 @@ void print_info(const LevelWorld& world, const CompiledLevel& compiled, const Me
         drawn_triangle_count(world.scene), report.removed_faces, report.doubled_faces, report.collinear_faces,
         report.needle_faces, report.flipped_faces, report.components, report.closed_components,
         report.inward_components, report.reflex_rule_components, totals.edges, report.border_edges,
-        report.complex_edges, report.artist_edges, report.stitched_edges, report.t_junction_edges,
+        report.complex_edges, report.artist_edges, report.stitched_edges, report.t_junction_edges, report.pinholes,
         report.inconsistent_edges, totals.per_edge(totals.bytes.edges), totals.per_edge(totals.bytes.clusters),
         totals.per_face(totals.bytes.planes), visibility.leaves, visibility.portals, visibility.coarse_portals,
         visibility.structure_polygons, 100.0 * visibility.average_visible_share,

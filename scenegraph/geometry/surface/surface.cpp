@@ -49,6 +49,7 @@ class SurfaceBuild {
         surface_.components.resize(repaired.component_count);
         report.doubled_faces = repaired.doubled_faces;
         report.stitched_edges = repaired.stitched_edges;
+        report.pinholes = repaired.pinholes;
         report.t_junction_edges = repaired.t_junction_edges;
         report.flipped_faces = static_cast<std::uint32_t>(repaired.flipped_faces.size());
         position_of_vertex_ = std::move(repaired.vertex_position);

@@ -40,6 +40,7 @@ struct SurfaceReport {
     std::uint32_t border_edges = 0;        ///< One face.
     std::uint32_t complex_edges = 0;       ///< More than two faces.
     std::uint32_t stitched_edges = 0;      ///< Pairs of borders that became one edge.
+    std::uint32_t pinholes = 0;            ///< Holes so small that they became a point.
     std::uint32_t t_junction_edges = 0;    ///< Borders that are cut by the corners of others, joined to those.
     std::uint32_t artist_edges = 0;
     std::uint32_t components = 0;              ///< Connected over edges of exactly two faces.

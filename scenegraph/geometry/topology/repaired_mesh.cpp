@@ -6,6 +6,7 @@
 
 #include "hatchway/geometry/topology/doubled_faces.hpp"
 #include "hatchway/geometry/topology/orientation.hpp"
+#include "hatchway/geometry/topology/pinholes.hpp"
 #include "hatchway/geometry/topology/stitch.hpp"
 #include "hatchway/geometry/topology/t_junctions.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 class MeshRepair {
  public:
-    MeshRepair(WeldedMesh mesh, float stitch_share)
+    MeshRepair(WeldedMesh mesh, float stitch_share) : stitch_share_(stitch_share)
     {
         made_.positions = std::move(mesh.positions);
         made_.vertex_position = std::move(mesh.vertex_position);
@@ -28,6 +29,7 @@ class MeshRepair {
         made_.uses = sorted_directed_edges(made_.faces);
         join_doubled();
         stitch();
+        close_holes();
         close();
         wind();
         return std::move(made_);
@@ -49,17 +51,10 @@ class MeshRepair {
     {
         const DoubledFaces doubled = find_doubled_faces(made_.faces, made_.uses, made_.face_triangle);
         if (doubled.is_dropped.empty()) return;
-        std::size_t kept = 0;
-        for (std::size_t face = 0; face < made_.faces.size(); ++face) {
-            if (doubled.is_dropped[face]) continue;
-            made_.faces[kept] = made_.faces[face];
-            made_.face_triangle[kept++] = made_.face_triangle[face];
-            made_.two_sided_faces.push_back(doubled.is_two_sided[face]);
-        }
-        made_.doubled_faces = static_cast<std::uint32_t>(made_.faces.size() - kept);
-        made_.faces.resize(kept);
-        made_.face_triangle.resize(kept);
-        made_.uses = sorted_directed_edges(made_.faces);
+        const std::size_t count = made_.faces.size();
+        made_.two_sided_faces.assign(doubled.is_two_sided.begin(), doubled.is_two_sided.end());
+        keep_faces([&](std::size_t face) { return !doubled.is_dropped[face]; });
+        made_.doubled_faces = static_cast<std::uint32_t>(count - made_.faces.size());
     }
 
     void stitch()
@@ -68,6 +63,35 @@ class MeshRepair {
         made_.stitched_edges = stitch_borders(made_.positions, made_.faces, made_.uses, tolerance_);
         if (made_.stitched_edges == 0) return;
         drop_unused_positions(before);
+        made_.uses = sorted_directed_edges(made_.faces);
+    }
+
+    void close_holes()
+    {
+        const std::vector<FaceCorners> before = made_.faces;
+        made_.pinholes = close_pinholes(made_.positions, made_.faces, made_.uses, stitch_share_);
+        if (made_.pinholes == 0) return;
+        drop_unused_positions(before);
+        keep_faces([&](std::size_t face) {
+            const auto& [a, b, c] = made_.faces[face];
+            return a != b && b != c && c != a;
+        });
+    }
+
+    template <typename IsKept>
+    void keep_faces(const IsKept& is_kept)
+    {
+        std::size_t kept = 0;
+        for (std::size_t face = 0; face < made_.faces.size(); ++face) {
+            if (!is_kept(face)) continue;
+            made_.faces[kept] = made_.faces[face];
+            made_.face_triangle[kept] = made_.face_triangle[face];
+            if (!made_.two_sided_faces.empty()) made_.two_sided_faces[kept] = made_.two_sided_faces[face];
+            ++kept;
+        }
+        made_.faces.resize(kept);
+        made_.face_triangle.resize(kept);
+        if (!made_.two_sided_faces.empty()) made_.two_sided_faces.resize(kept);
         made_.uses = sorted_directed_edges(made_.faces);
     }
 
@@ -115,6 +139,7 @@ class MeshRepair {
     }
 
     RepairedMesh made_;
+    float stitch_share_;
     float tolerance_ = 0.0f;
 };
 

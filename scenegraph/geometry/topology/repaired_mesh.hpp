@@ -23,12 +23,13 @@ struct RepairedMesh {
 
     std::uint32_t doubled_faces = 0;           ///< Left out: see find_doubled_faces().
     std::uint32_t stitched_edges = 0;          ///< Pairs of borders that became one edge.
+    std::uint32_t pinholes = 0;                ///< Holes that became a point.
     std::uint32_t t_junction_edges = 0;        ///< Borders that got caps.
     std::vector<std::uint32_t> flipped_faces;  ///< Turned over, and not two-sided; rising.
 };
 
 /// In this order: joins doubled faces, stitches borders closer than `stitch_share` of the bounding box' diagonal,
-/// closes T-junctions as wide, repairs the winding.
+/// makes points of holes as small (close_pinholes()), closes T-junctions as wide, repairs the winding.
 RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share);
 
 /// The share of the bounding box' diagonal within which borders are joined.

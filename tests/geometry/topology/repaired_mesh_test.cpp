@@ -302,3 +302,136 @@ TEST(winding, sheets_wind_the_same_way_however_they_wound)
     }
     EXPECT_TRUE(hw::triangles_of_turned_sheets(turned_over(sphere(16, 12))).empty());
 }
+
+namespace {
+
+/// A globe by float trigonometry: at both poles the ring of the last corners does not close, being `pole` wide.
+hw::MeshData globe(float pole, const glm::vec3& radii, const glm::vec3& centre = glm::vec3(0.0f))
+{
+    constexpr std::uint32_t kColumns = 20, kRings = 12;
+    hw::MeshData mesh;
+    for (std::uint32_t ring = 0; ring <= kRings; ++ring)
+        for (std::uint32_t column = 0; column < kColumns; ++column) {
+            const bool is_pole = ring == 0 || ring == kRings;
+            const double down = M_PI * ring / kRings, around = 2.0 * M_PI * column / kColumns;
+            const double wide = is_pole ? 0.5 * static_cast<double>(pole) : std::sin(down);
+            const glm::dvec3 unit(wide * std::cos(around), std::cos(down), wide * std::sin(around));
+            mesh.positions.emplace_back(glm::dvec3(centre) + unit * glm::dvec3(radii));
+        }
+    for (std::uint32_t ring = 0; ring < kRings; ++ring)
+        for (std::uint32_t column = 0; column < kColumns; ++column) {
+            const std::uint32_t a = ring * kColumns + column, b = ring * kColumns + (column + 1) % kColumns;
+            const std::uint32_t c = a + kColumns, d = b + kColumns;
+            mesh.indices.insert(mesh.indices.end(), {a, b, c, b, d, c});
+        }
+    return mesh;
+}
+
+/// Makes a hole so wide of a vertex: each triangle gets a corner of its own there, and slivers lie between them.
+hw::MeshData punctured(hw::MeshData mesh, std::uint32_t vertex, float wide)
+{
+    struct Wedge {
+        std::uint32_t corner, before, after;
+    };
+    std::vector<Wedge> fan;
+    glm::vec3 beside(0.0f);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (mesh.indices[i + k] != vertex) continue;
+            const std::uint32_t before = mesh.indices[i + (k + 1) % 3], after = mesh.indices[i + (k + 2) % 3];
+            const glm::vec3 middle = 0.5f * (mesh.positions[before] + mesh.positions[after]);
+            const glm::vec3 away = glm::normalize(middle - mesh.positions[vertex]);
+            fan.push_back({static_cast<std::uint32_t>(mesh.positions.size()), before, after});
+            mesh.positions.push_back(mesh.positions[vertex] + 0.5f * wide * away);
+            mesh.indices[i + k] = fan.back().corner;
+        }
+    for (const Wedge& wedge : fan)
+        for (const Wedge& next : fan)
+            if (next.before == wedge.after)
+                mesh.indices.insert(mesh.indices.end(), {wedge.corner, wedge.after, next.corner});
+    return mesh;
+}
+
+}  // namespace
+
+TEST(pinholes, the_poles_of_a_globe_by_float_trigonometry_are_points)
+{
+    const std::vector<glm::vec3> shapes{{1, 1, 1}, {1, 0.5f, 2}, {0.2f, 40, 0.2f}, {30, 1, 0.5f}};
+    for (const glm::vec3& radii : shapes)
+        for (const float far : {0.0f, 0.3f, 50.0f, 1000.03f}) {
+            const hw::MeshData mesh = globe(1.8e-7f, radii, glm::vec3(far, 0.1f * far, -far));
+            const hw::Surface surface = hw::build_surface(mesh, {.world_from_object = glm::dmat3(2.0)});
+            EXPECT_EQ(surface.report.border_edges, 0u) << radii.x << " " << far;
+            EXPECT_EQ(surface.report.complex_edges, 0u) << radii.x << " " << far;
+            EXPECT_EQ(surface.report.reflex_rule_components, 1u) << radii.x << " " << far;
+        }
+    const hw::Surface squashed =
+        hw::build_surface(globe(1.8e-7f, {1, 1, 1}), {.world_from_object = {{1, 0, 0}, {0, 0.01, 0}, {0, 0, 50}}});
+    EXPECT_EQ(squashed.report.border_edges, 0u) << "the scale is that of the node";
+}
+
+TEST(pinholes, a_globe_has_its_outline_and_no_star_at_its_poles)
+{
+    const hw::Surface surface = hw::build_surface(globe(1.8e-7f, {1, 0.7f, 1}));
+    const hw::Surface whole = hw::build_surface(globe(0.0f, {1, 0.7f, 1}));
+    for (const glm::dvec3& eye : {glm::dvec3(0.3, -3, 0.2), glm::dvec3(2, 2, 1), glm::dvec3(3, 0.1, 0)}) {
+        const auto lines = drawn_px(surface, eye), expected = drawn_px(whole, eye);
+        ASSERT_EQ(lines.size(), 1u);
+        EXPECT_NEAR(lines.at(hw::LineClass::silhouette), expected.at(hw::LineClass::silhouette), 0.5);
+    }
+}
+
+TEST(pinholes, several_of_one_shell_are_closed_and_holes_that_can_be_seen_stay)
+{
+    hw::MeshData mesh = sphere(16, 12);
+    for (const std::uint32_t vertex : {20u, 55u, 90u, 131u}) mesh = punctured(mesh, vertex, 8e-7f);
+    const hw::Surface surface = hw::build_surface(mesh);
+    EXPECT_EQ(surface.report.pinholes, 4u);
+    EXPECT_EQ(surface.report.border_edges, 0u);
+    EXPECT_EQ(surface.faces.size(), hw::build_surface(sphere(16, 12)).faces.size());
+    const hw::Surface holed = hw::build_surface(punctured(mesh, 75, 1e-3f));
+    EXPECT_EQ(holed.report.pinholes, 4u);
+    EXPECT_EQ(holed.report.border_edges, 6u);
+}
+
+TEST(pinholes, right_at_a_border_are_closed_and_the_border_stays)
+{
+    // A square whose lower side has a corner in its middle, and there begins a hole of three corners.
+    const float w = 1e-6f;
+    const hw::MeshData at_corner =
+        mesh_of({{-1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {-1, 2, 0}, {0, 0, 0}, {w, 2 * w, 0}, {-w, 2 * w, 0}},
+                {0, 4, 6, 0, 6, 3, 6, 5, 2, 6, 2, 3, 4, 1, 5, 5, 1, 2});
+    const hw::Surface surface = hw::build_surface(at_corner);
+    EXPECT_EQ(surface.report.pinholes, 1u);
+    EXPECT_EQ(surface.report.border_edges, 5u);
+    // One ring below the rim of a cup.
+    const std::uint32_t rim = hw::build_surface(cup()).report.border_edges;
+    std::uint32_t below = 0;
+    const hw::MeshData whole = cup();
+    for (std::uint32_t i = 0; i < whole.positions.size(); ++i) {
+        const float y = whole.positions[i].y;
+        if (y < 0.1f && y > whole.positions[below].y - 1.0f && std::abs(y) < 0.1f) below = i;
+    }
+    const hw::Surface holed = hw::build_surface(punctured(whole, below, 6e-7f));
+    EXPECT_EQ(holed.report.pinholes, 1u);
+    EXPECT_EQ(holed.report.border_edges, rim);
+}
+
+TEST(pinholes, small_pieces_beside_large_ones_keep_their_shape_and_lose_their_own_pinholes)
+{
+    const auto tiny = [](const hw::MeshData& mesh) {
+        return moved(mesh, glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(2.0f, 0.0f, 0.0f)), glm::vec3(1e-5f)));
+    };
+    const hw::MeshData sheet_of_two = mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3});
+    const hw::MeshData large = sphere(16, 12);
+    const std::size_t of_large = hw::build_surface(large).faces.size();
+    for (const hw::MeshData& mesh : {sheet_of_two, cup()}) {
+        const hw::Surface alone = hw::build_surface(tiny(mesh));
+        const hw::Surface both = hw::build_surface(joined({large, tiny(mesh)}));
+        EXPECT_EQ(both.report.pinholes, 0u);
+        EXPECT_EQ(both.faces.size(), of_large + alone.faces.size());
+        EXPECT_EQ(both.report.border_edges, alone.report.border_edges);
+    }
+    const hw::MeshData small = globe(1e-6f, glm::vec3(0.01f), glm::vec3(0, 2, 0));
+    EXPECT_EQ(hw::build_surface(joined({large, small})).report.border_edges, 0u);
+}
