@@ -1,6 +1,7 @@
 #include "hatchway/drawing/line_extras.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 
@@ -24,7 +25,11 @@ void find_object_seams(const Scene& scene, std::span<const EdgeDemand> demands, 
         ids.push_back(id);
         crease_rad = std::min(crease_rad, demands[id].crease_rad.front());
     }
-    std::vector<Seams> seams = find_seams(together, {.crease_rad = crease_rad});
+    SeamOptions options{.crease_rad = crease_rad};
+    // What is a tenth of a millimetre of a room is a letter's relief on a chip.
+    options.tolerance_m =
+        std::min(options.tolerance_m, static_cast<float>(kContactShare * glm::length(scene.bounds_world.size())));
+    std::vector<Seams> seams = find_seams(together, options);
     for (std::size_t i = 0; i < ids.size(); ++i) objects[ids[i]].seams = std::move(seams[i]);
 }
 

@@ -30,6 +30,14 @@ class LineCollector {
                              .fold_rad = is_crease(line_class) ? fold_rad(surface_, id) : 0.0f});
         }
     }
+    void add_kept()
+    {
+        for (std::uint32_t i = 0; i < seams_.kept.size(); ++i)
+            lines.push_back({.ends = seams_.kept[i].ends,
+                             .line_class = LineClass::border,
+                             .source = {LineSource::Kind::kept, i},
+                             .sides = sides_of(seams_.kept[i].edge)});
+    }
     void add_piece(const std::array<glm::vec3, 2>& ends, LineClass line_class, LineSource source)
     {
         lines.push_back({.ends = ends, .line_class = line_class, .source = source});
@@ -118,8 +126,7 @@ ObjectLines object_lines(const ObjectEdges& edges, const LineCrowding* crowding)
     const EdgeClasses classes = classes_at(edges.surface, edges.crease_rad);
     LineCollector collector(edges);
     collector.add(classes.borders, LineClass::border);
-    for (std::uint32_t i = 0; i < edges.extras.seams.kept.size(); ++i)
-        collector.add_piece(edges.extras.seams.kept[i], LineClass::border, {LineSource::Kind::kept, i});
+    collector.add_kept();
     for (const ObjectIntersection& piece : edges.extras.intersections)
         collector.add_piece(piece.ends, LineClass::intersection, {LineSource::Kind::intersection, piece.index});
     for (const EdgeRange range : classes.artist) collector.add(range, LineClass::artist);

@@ -54,6 +54,23 @@ EdgeDemand demand(bool has_intersections = false)
 
 }  // namespace
 
+TEST(line_extras, a_groove_of_a_small_thing_keeps_its_edges)
+{
+    // Of a chip of 4 cm: 0.05 mm wide. In a scene of 40 m such a gap is how a kit was placed.
+    const auto hidden = [](double scale) {
+        const double wide = 5e-5;
+        Scene scene = scene_of_tiles(
+            {glm::scale(kHere, glm::dvec3(scale)), glm::scale(shift(scale + wide, 0, 0), glm::dvec3(scale))}, false);
+        for (const Object& object : scene.objects) scene.bounds_world.add(object.bounds_world);
+        SceneSurfaces surfaces(scene);
+        const std::vector<EdgeDemand> demands(2, demand());
+        const LineExtras extras = find_line_extras(scene, demands, surfaces);
+        return extras.objects[0].seams.hidden.size() + extras.objects[1].seams.hidden.size();
+    };
+    EXPECT_EQ(hidden(0.02), 0u);
+    EXPECT_EQ(hidden(20.0), 2u);
+}
+
 TEST(line_extras, sheets_with_two_sides_keep_a_line_that_is_seen_from_below)
 {
     const glm::dmat4 hanging = glm::rotate(shift(1, 0, 0), -0.5 * M_PI, glm::dvec3(0, 0, 1));

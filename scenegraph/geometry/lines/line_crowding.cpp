@@ -143,7 +143,7 @@ std::vector<CrowdingLine> crowding_lines(const Surface& surface, float crease_ra
     for (const EdgeRange range : classes.candidates)
         for (std::uint32_t edge = range.begin; edge < range.end; ++edge) add(edge, kTurn * fold_rad(surface, edge));
     if (seams)
-        for (const auto& piece : seams->kept) lines.push_back({piece, 1.0f});
+        for (const KeptPiece& piece : seams->kept) lines.push_back({piece.ends, 1.0f});
     for (const auto& piece : pieces) lines.push_back({piece, 1.0f});
     return lines;
 }

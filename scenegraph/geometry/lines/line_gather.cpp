@@ -173,7 +173,9 @@ class ObjectGathering {
                        .source = {LineSource::Kind::edge, edge}};
         for (int side = 0; side < 2; ++side) {
             const std::uint32_t face = faces[side];
-            if (face != kNoFace) line.faces[side] = drawn_.first_face + unturned(face);
+            if (face == kNoFace) continue;
+            line.faces[side] = drawn_.first_face + unturned(face);
+            line.is_rounded |= plane_face(*object_.surface, unturned(face)) != unturned(face);
         }
         found_.lines.push_back(line);
     }
@@ -226,8 +228,9 @@ class ObjectGathering {
         const glm::dmat4 view_from_object = space_.view_from_world() * object_.world_from_object;
         const auto in_view = [&](const glm::vec3& p) { return glm::dvec3(view_from_object * glm::dvec4(p, 1.0)); };
         for (std::uint32_t i = 0; i < object_.seams->kept.size(); ++i) {
-            const auto& [from, to] = object_.seams->kept[i];
-            const auto part = part_in_picture(space_, in_view(from), in_view(to));
+            const auto& [ends, edge] = object_.seams->kept[i];
+            if (is_behind_the_scenes(edge)) continue;
+            const auto part = part_in_picture(space_, in_view(ends[0]), in_view(ends[1]));
             if (!part) continue;
             found_.lines.push_back({.object = index_,
                                     .set = set_,

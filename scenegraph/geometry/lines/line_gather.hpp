@@ -18,6 +18,7 @@ struct DrawnLine {
     /// Of the surface, or joints of intersections; kFreeEnd where it is a part of an edge.
     std::array<std::uint32_t, 2> vertices{};
     std::array<std::uint32_t, 2> faces{};  ///< Numbers among all faces; kNoFace where there is none.
+    bool is_rounded = false;               ///< A face beside it is a needle: floats do not tell where that lies.
     ImageLine image;
     LineSource source;
 };

@@ -208,7 +208,7 @@ bool LineOccluders::hides(const ImageTriangle& triangle, const ImagePoint& point
 /// Whether only numbers that somebody rounded tell how the triangle lies to the line.
 bool LineOccluders::is_other(const ImageTriangle& triangle, const DrawnLine& line) const
 {
-    if (triangle.object != line.object || !line.source.is_edge()) return true;
+    if (triangle.object != line.object || !line.source.is_edge() || line.is_rounded) return true;
     const DrawnObject& object = drawing_.objects[line.object];
     const std::vector<std::uint32_t>& component = object.surface->face_component;
     return component[triangle.face - object.first_face] != component[line.faces[0] - object.first_face];

@@ -60,7 +60,7 @@ class SeenItems {
 /// face hides what is strictly behind its plane, so that a face's double, its back and what lies in its plane hide
 /// nothing of it. Components and objects are set on each other by numbers that were rounded: there a face hides what
 /// lies behind its plane by more than kContactShare of their size, and by over 2e-7 of the eye's distance from it, so
-/// that the foot of a wall is not lost by chance in the floor on which it stands.
+/// that the foot of a wall is not lost by chance in the floor on which it stands. So it is at lines beside needles.
 class LineOccluders {
  public:
     /// All must outlive this. What is looked at is spent of `work`.

@@ -331,7 +331,8 @@ class SeamSearch {
         const glm::dvec3 from = surface.positions[a], to = surface.positions[b];
         for (const Interval& piece : kept) {
             seams.kept.push_back(
-                {glm::vec3(glm::mix(from, to, piece.from / whole)), glm::vec3(glm::mix(from, to, piece.to / whole))});
+                {{glm::vec3(glm::mix(from, to, piece.from / whole)), glm::vec3(glm::mix(from, to, piece.to / whole))},
+                 lines_[line].edge});
         }
     }
 

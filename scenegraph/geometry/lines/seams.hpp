@@ -19,12 +19,18 @@ struct SeamObject {
     bool is_double_sided = false;  ///< Both sides of its faces are seen.
 };
 
+/// What remains of an edge of which a part is hidden.
+struct KeptPiece {
+    std::array<glm::vec3, 2> ends;  ///< Object space.
+    std::uint32_t edge = 0;
+};
+
 /// The lines of one object that are not drawn because the surface goes on across them, in the object itself or in a
 /// neighbour.
 struct Seams {
-    std::vector<std::uint32_t> hidden;           ///< Edge ids, rising: borders and creases not drawn at all.
-    std::vector<std::uint32_t> partly_hidden;    ///< Edge ids, rising: replaced by the pieces in `kept`.
-    std::vector<std::array<glm::vec3, 2>> kept;  ///< Object space: what remains of partly hidden edges.
+    std::vector<std::uint32_t> hidden;         ///< Edge ids, rising: borders and creases not drawn at all.
+    std::vector<std::uint32_t> partly_hidden;  ///< Edge ids, rising: replaced by the pieces in `kept`.
+    std::vector<KeptPiece> kept;               ///< Drawn as borders, where their edge would be.
 };
 
 struct SeamOptions {

@@ -38,7 +38,7 @@ double hidden_length(const hw::Surface& surface, const hw::Seams& seams)
     double sum = 0.0;
     for (const std::uint32_t edge : seams.hidden) sum += length(edge);
     for (const std::uint32_t edge : seams.partly_hidden) sum += length(edge);
-    for (const auto& [from, to] : seams.kept) sum -= glm::distance(from, to);
+    for (const hw::KeptPiece& piece : seams.kept) sum -= glm::distance(piece.ends[0], piece.ends[1]);
     return sum;
 }
 
@@ -120,9 +120,31 @@ TEST(seams, of_a_border_covered_in_part_the_rest_stays)
     const auto seams = hw::find_seams(objects);
     ASSERT_EQ(seams[0].partly_hidden.size(), 1u);
     ASSERT_EQ(seams[0].kept.size(), 1u);
-    EXPECT_NEAR(std::abs(seams[0].kept[0][0].z - seams[0].kept[0][1].z), 0.25, 1e-6);
+    EXPECT_NEAR(std::abs(seams[0].kept[0].ends[0].z - seams[0].kept[0].ends[1].z), 0.25, 1e-6);
     EXPECT_NEAR(hidden_length(tile, seams[0]), 0.75, 1e-6);
     EXPECT_NEAR(hidden_length(tile, seams[1]), 0.75, 1e-6);
+}
+
+TEST(seams, what_stays_of_a_culled_border_is_seen_from_its_front_alone)
+{
+    const hw::Surface tile = floor_tile();
+    const std::vector<hw::SeamObject> objects{{&tile, shift(0, 0, 0)}, {&tile, shift(1, 0, 0.25)}};
+    const auto seams = hw::find_seams(objects);
+    const auto kept_pieces = [&](double eye_y) {
+        std::vector<hw::LineObject> drawn;
+        for (std::size_t i = 0; i < 2; ++i)
+            drawn.push_back({.surface = objects[i].surface,
+                             .world_from_object = objects[i].world_from_object,
+                             .seams = &seams[i],
+                             .is_culled = true});
+        std::size_t kept = 0;
+        for (const hw::VisibleLine& line :
+             hw::find_visible_lines(drawn, {.eye_world = {1, eye_y, 3}, .target_world = {1, 0, 0.5}}))
+            for (const hw::LineSource& source : line.sources) kept += source.kind() == hw::LineSource::Kind::kept;
+        return kept;
+    };
+    EXPECT_EQ(kept_pieces(2.0), 2u);
+    EXPECT_EQ(kept_pieces(-2.0), 0u);
 }
 
 TEST(seams, boxes_side_by_side_lose_the_flat_lines_and_keep_the_corners)
