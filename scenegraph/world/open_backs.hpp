@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "hatchway/world/scene.hpp"
@@ -7,7 +8,10 @@
 namespace hw {
 
 /// For each object whether light and sight reach the back of its faces: its material is double-sided, and its mesh is
-/// no shell (geometry/topology/shell.hpp).
-std::vector<bool> find_open_backs(const Scene& scene);
+/// no shell (geometry/topology/shell.hpp), or a shell in which something shines: a room. Many exporters call everything
+/// double-sided, so a shell alone is a solid; what lies dark inside of one, as goods in a crate, is seen by nobody.
+/// What shines are the points and spots among `lights`, and objects of materials that emit, by the middle of their
+/// bounds.
+std::vector<bool> find_open_backs(const Scene& scene, std::span<const Light> lights = {});
 
 }  // namespace hw

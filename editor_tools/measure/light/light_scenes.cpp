@@ -15,12 +15,17 @@ constexpr float kOutsideLux = 100000.0f;
 
 ObjectId add_object(Scene& scene, int material, MeshData mesh, const glm::dmat4& world_from_object)
 {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.normals.emplace_back(0.0f);
+    Box bounds_world;
+    for (const glm::vec3& p : mesh.positions) {
+        mesh.normals.emplace_back(0.0f);
+        bounds_world.add(glm::dvec3(world_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
+    }
     scene.meshes.push_back(std::move(mesh));
     scene.nodes.push_back({.world_from_node = world_from_object});
     scene.objects.push_back({.node = static_cast<int>(scene.nodes.size()) - 1,
                              .mesh = static_cast<int>(scene.meshes.size()) - 1,
-                             .material = material});
+                             .material = material,
+                             .bounds_world = bounds_world});
     return static_cast<ObjectId>(scene.objects.size() - 1);
 }
 

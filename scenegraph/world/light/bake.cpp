@@ -27,8 +27,8 @@ class Bake {
         : scene_(scene),
           sources_(sources),
           samples_(std::bit_ceil(std::max(1u, options.samples))),
-          lightmap_(plan_lightmap(scene, options.luxels_per_m, options.budget, options.receivers)),
-          rays_(scene),
+          lightmap_(plan_lightmap(scene, options.luxels_per_m, options.budget, options.receivers, sources.lights)),
+          rays_(scene, sources.lights),
           points_(scene, lightmap_, rays_),
           places_(points_.luxels().size()),
           sums_(places_.size(), glm::vec3(0.0f))

@@ -32,7 +32,8 @@ struct Emitter {
 /// The scene must outlive it.
 class LightScene {
  public:
-    explicit LightScene(const Scene& scene);
+    /// Of the lights only where they stand counts: what is closed around one is a room (find_open_backs()).
+    explicit LightScene(const Scene& scene, std::span<const Light> lights = {});
     ~LightScene();
 
     const glm::dvec3& origin_world() const { return origin_world_; }

@@ -14,6 +14,7 @@
 #include "hatchway/world/light/layout.hpp"
 #include "hatchway/world/light/pack.hpp"
 #include "hatchway/world/light/random.hpp"
+#include "hatchway/world/open_backs.hpp"
 #include "measure/light/light_error.hpp"
 #include "measure/light/light_reference.hpp"
 
@@ -375,6 +376,90 @@ TEST(baked_light, a_vertex_lit_sheet_has_two_sides_too)
     ASSERT_TRUE(lightmap.layouts[0].is_per_vertex);
     EXPECT_NEAR(lux_at(lightmap, scene, {0, 900, kMiddle, false}), 10000.0, 200.0);
     EXPECT_EQ(lux_at(lightmap, scene, {0, 900, kMiddle, true}), 0.0);
+}
+
+namespace {
+
+/// A closed box of 4 m with two sides to its faces under a bright sun, and a crate of a metre beside it.
+struct BoxOutside {
+    BoxOutside()
+    {
+        const int material = add_material(scene, 0.5f);
+        scene.materials[material].is_double_sided = true;
+        box = add_box(scene, material, {{-2, 0, -2}, {2, 3, 2}});
+        crate = add_box(scene, material, {{4, 0, 0}, {5, 1, 1}});
+        sources.lights = {sun_along({0.3, -1.0, 0.2})};
+    }
+    /// Of the middle of the box' floor (the triangle that looks down) from within; of its roof from outside.
+    double lux(bool is_inside) const
+    {
+        const Lightmap lightmap = bake_lightmap(scene, sources, kQuick);
+        EXPECT_EQ(lightmap.places[crate].sides, 1) << "beside it is a solid";
+        const MeshData& mesh = scene.meshes[scene.objects[box].mesh];
+        for (std::uint32_t triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
+            const auto height = [&](int k) { return mesh.positions[mesh.indices[3 * triangle + k]].y; };
+            const float wanted = is_inside ? 0.0f : 3.0f;
+            if (height(0) == wanted && height(1) == wanted && height(2) == wanted)
+                return lux_at(lightmap, scene, {box, triangle, kMiddle, is_inside});
+        }
+        return -1.0;
+    }
+
+    Scene scene;
+    LightSources sources;
+    ObjectId box = 0, crate = 0;
+};
+
+}  // namespace
+
+TEST(baked_light, a_closed_box_with_a_lamp_inside_is_a_room_and_its_inside_has_the_lamps_light)
+{
+    BoxOutside level;
+    const double outside = level.lux(false);
+    EXPECT_GT(outside, 5000.0);
+    level.sources.lights.push_back(lamp_at({0.0, 2.0, 0.0}));
+    EXPECT_NEAR(level.lux(false), outside, 0.05 * outside) << "its outside is as bright as it was";
+    EXPECT_GT(level.lux(true), 100.0);
+    EXPECT_LT(level.lux(true), 1500.0) << "1,000 cd at 2 m, and what the walls send back";
+}
+
+TEST(baked_light, a_closed_box_around_something_that_shines_is_a_room)
+{
+    BoxOutside level;
+    const int glowing = add_material(level.scene, 0.5f, 1.0f);
+    level.sources.emission_luminance = 1000.0f;
+    const ObjectId bulb = add_box(level.scene, glowing, {{-0.2, 1.8, -0.2}, {0.2, 2.2, 0.2}});
+    const std::vector<bool> open = find_open_backs(level.scene);
+    EXPECT_TRUE(open[level.box]);
+    EXPECT_FALSE(open[level.crate]);
+    EXPECT_FALSE(open[bulb]) << "what shines is not inside of itself";
+}
+
+TEST(baked_light, a_crate_with_something_in_it_and_lamps_around_it_stays_a_solid)
+{
+    BoxOutside level;
+    add_box(level.scene, add_material(level.scene, 0.5f), {{4.3, 0.2, 0.3}, {4.6, 0.5, 0.6}});
+    const std::vector<Light> lamps{lamp_at({3.9, 0.5, 0.5}), lamp_at({4.5, 1.1, 0.5}), sun_along({0, -1, 0})};
+    EXPECT_EQ(find_open_backs(level.scene, lamps), std::vector<bool>(3, false));
+    level.scene.materials[0].is_double_sided = false;
+    EXPECT_FALSE(find_open_backs(level.scene, std::vector<Light>{lamp_at({0, 1, 0})})[level.box]);
+}
+
+TEST(baked_light, a_room_is_one_however_it_is_placed)
+{
+    for (const glm::dvec3& scale : {glm::dvec3(1.0), glm::dvec3(-1, 1, 1), glm::dvec3(3, 0.2, 1)}) {
+        Scene scene;
+        const int material = add_material(scene, 0.5f);
+        scene.materials[material].is_double_sided = true;
+        const glm::dmat4 place = glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(1e4, 5, -3)), scale);
+        add_box(scene, material, {{-2, 0, -2}, {2, 3, 2}}, place);
+        const auto is_open = [&](const glm::dvec3& lamp_in_box) -> bool {
+            return find_open_backs(scene, std::vector<Light>{lamp_at(place * glm::dvec4(lamp_in_box, 1.0))})[0];
+        };
+        EXPECT_TRUE(is_open({1.9, 2.9, -1.9}));
+        EXPECT_FALSE(is_open({2.1, 1.0, 0.0}));
+        EXPECT_FALSE(is_open({0.0, -0.1, 0.0}));
+    }
 }
 
 TEST(baked_light, light_falls_through_what_a_mask_cuts_out)
