@@ -58,12 +58,14 @@ void draw_opaque(const Frame& frame, PassStage stage, std::vector<DrawItem> Styl
 void draw_products(const Frame& frame)
 {
     LoadedScene& scene = frame.scene;
+    const int shadow_side_px = frame.view.options.is_rehearsal ? ShadowMap::kRehearsalSidePx : ShadowMap::kSidePx;
     const auto prepare = [&](const Needs& needs) {
         frame.results.reads_clock |= needs.clock;
         if (needs.lightmap) scene.lightmap.prepare();
         const bool is_all_baked = needs.lightmap && scene.is_all_baked;
         if (needs.shadow == ShadowNeed::main_light && !is_all_baked)
-            scene.shadow.prepare(*scene.input.scene, scene.gpu, scene.light, frame.device.programs, frame.device.state);
+            scene.shadow.prepare(*scene.input.scene, scene.gpu, scene.light, frame.device.programs, frame.device.state,
+                                 shadow_side_px);
     };
     for (int i = 0; i < style_count(frame); ++i)
         if (!frame.view.plan.styles[i].is_empty()) prepare(scene.needs[i]);

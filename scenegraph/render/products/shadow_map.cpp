@@ -9,8 +9,6 @@
 namespace hw {
 namespace {
 
-constexpr int kShadowMapSide = 4096;
-
 // The map's own offset is small: receivers step off their surface along the normal (shaders/shadow.glsl).
 constexpr PipelineState kCasterState{.depth_test = DepthTest::less,
                                      .writes_colour = false,
@@ -51,12 +49,13 @@ glm::dmat4 sun_clip_from_world(const glm::dvec3& direction_world, const Box& bou
 }
 
 void ShadowMap::prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLight& light, ProgramStore& programs,
-                        GpuState& state)
+                        GpuState& state, int side_px)
 {
-    if (frame_.is_drawn || light.main_light == kNone || scene.bounds_world.is_empty()) return;
+    const bool is_there = frame_.is_drawn && static_cast<int>(frame_.size_px) == side_px;
+    if (is_there || light.main_light == kNone || scene.bounds_world.is_empty()) return;
     const glm::dmat4 clip_from_world =
         sun_clip_from_world(light.lights[light.main_light].direction_world, scene.bounds_world);
-    target_ = GpuTarget({.size_px = glm::ivec2(kShadowMapSide), .colours = {}, .is_shadow_map = true});
+    target_ = GpuTarget({.size_px = glm::ivec2(side_px), .colours = {}, .is_shadow_map = true});
     target_.bind();
     state.apply(kCasterState);
     target_.clear_depth();
@@ -68,11 +67,11 @@ void ShadowMap::prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLigh
         glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
     frame_.is_drawn = true;
     frame_.shadow_from_world = unit_from_clip * clip_from_world;
-    frame_.size_px = kShadowMapSide;
+    frame_.size_px = side_px;
     const double widest =
         std::min(glm::length(glm::dvec3(clip_from_world[0][0], clip_from_world[1][0], clip_from_world[2][0])),
                  glm::length(glm::dvec3(clip_from_world[0][1], clip_from_world[1][1], clip_from_world[2][1])));
-    frame_.texel_m = static_cast<float>(2.0 / (widest * kShadowMapSide));
+    frame_.texel_m = static_cast<float>(2.0 / (widest * side_px));
     ++drawn_count_;
 }
 

@@ -13,9 +13,13 @@ namespace hw {
 /// light alone: every opaque or masked object, seen or not.
 class ShadowMap {
  public:
-    /// Draws the map when it is not there yet.
+    static constexpr int kSidePx = 4096;
+    /// Enough to try styles with: thousands of objects at one place fill a map thousands of times.
+    static constexpr int kRehearsalSidePx = 64;
+
+    /// Draws the map when it is not there yet with that side.
     void prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLight& light, ProgramStore& programs,
-                 GpuState& state);
+                 GpuState& state, int side_px = kSidePx);
 
     const ShadowFrame& frame() const { return frame_; }
     std::uint32_t texture() const { return frame_.is_drawn ? target_.depth().id() : 0; }

@@ -73,9 +73,9 @@ class endless : public Test {
         builder.json["nodes"] = nodes;
         return folder_.write("model.glb", builder.glb());
     }
-    ProgramResult run(std::vector<std::string> arguments)
+    ProgramResult run(std::vector<std::string> arguments, const hw::test::ProgramLimits& limits = kLimits)
     {
-        return run_program(arguments, kLongest_s, {"XDG_CACHE_HOME=" + folder_.path().string()}, kLimits);
+        return run_program(arguments, kLongest_s, {"XDG_CACHE_HOME=" + folder_.path().string()}, limits);
     }
     void expect_opens(const std::string& file)
     {
@@ -233,6 +233,13 @@ TEST_F(endless, a_mesh_that_nodes_repeat)
 TEST_F(endless, lines_of_objects_at_one_place)
 {
     expect_ends(lines_of(model(box(0.5f), json(2000, {{"mesh", 0}}))));
+}
+
+TEST_F(endless, a_rehearsal_of_boxes_at_one_place)
+{
+    const ProgramResult checked = run({"check", model(box(0.5f), json(5000, {{"mesh", 0}}))},
+                                      {.cpu_s = 10, .memory_bytes = kLimits.memory_bytes});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err.substr(0, 2000);
 }
 
 TEST_F(endless, faces_around_one_edge)
