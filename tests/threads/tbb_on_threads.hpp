@@ -92,7 +92,9 @@ void parallel_for(Index begin, Index end, const Body& body)
 template <typename Iterator, typename Body>
 void parallel_for_each(Iterator begin, Iterator end, const Body& body)
 {
-    on_threads::run(static_cast<std::size_t>(end - begin), [&](std::size_t i) { body(*(begin + i)); });
+    std::vector<Iterator> places;
+    for (; begin != end; ++begin) places.push_back(begin);
+    on_threads::run(places.size(), [&](std::size_t i) { body(*places[i]); });
 }
 
 template <typename Value, typename Sum, typename Body, typename Join>

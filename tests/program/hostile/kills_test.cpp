@@ -35,8 +35,18 @@ struct Output {
     std::function<void(bool is_new)> write;  ///< As the body of run_traced().
 };
 
+bool is_whole()
+{
+    return !kIsSanitized && std::getenv("HATCHWAY_WHOLE_CORPORA") != nullptr;
+}
+
 class kills : public testing::Test {
  protected:
+    static void TearDownTestSuite()
+    {
+        if (!is_whole()) return;
+        EXPECT_GE(killed_of_all_, 1000) << "kills in all";
+    }
     kills() { fs::copy_file(kContent / "models" / "prism.glb", folder_.path() / "prism.glb"); }
 
     Output output_of(const CommandOutput& command) const
@@ -62,6 +72,7 @@ class kills : public testing::Test {
         fs::copy(saved_.path() / name, folder_ / name, fs::copy_options::recursive);
     }
     TemporaryFolder saved_;
+    static inline int killed_of_all_ = 0;
 };
 
 /// Which calls to be killed at: of `count`, `wanted` ones, or all.
@@ -92,8 +103,7 @@ void kills::expect_old_or_new(const Output& output)
     const auto new_state = state_of(folder_ / output.name);
     ASSERT_NE(old_state, new_state) << "nothing can be told";
 
-    const bool is_whole = !kIsSanitized && std::getenv("HATCHWAY_WHOLE_CORPORA") != nullptr;
-    const std::uint64_t wanted = is_whole ? kKillsOfAll : kKillsOfSample;
+    const std::uint64_t wanted = is_whole() ? kKillsOfAll : kKillsOfSample;
     std::mt19937 random(20011);
     int killed = 0;
     const auto kill_at = [&](Calls calls, std::uint64_t number) {
@@ -110,12 +120,13 @@ void kills::expect_old_or_new(const Output& output)
         EXPECT_EQ(state_of(folder_ / output.name), new_state);
         EXPECT_EQ(left_behind_in(folder_.path()), 0) << "after a whole run";
     };
-    const std::uint64_t changing = std::min(counts[Calls::changing], is_whole ? counts[Calls::changing] : wanted / 2);
+    const std::uint64_t changing = std::min(counts[Calls::changing], is_whole() ? counts[Calls::changing] : wanted / 2);
     for (const std::uint64_t number : some_of(counts[Calls::changing], changing, random))
         kill_at(Calls::changing, number);
     const std::uint64_t others = wanted > changing ? wanted - changing : 0;
     for (const std::uint64_t number : some_of(counts[Calls::all], others, random)) kill_at(Calls::all, number);
     EXPECT_GE(killed * 2, static_cast<int>(std::min(wanted, counts[Calls::all])));
+    killed_of_all_ += killed;
     RecordProperty("kills", killed);
     RecordProperty("changing_calls", static_cast<int>(counts[Calls::changing]));
     RecordProperty("calls", static_cast<int>(counts[Calls::all]));
