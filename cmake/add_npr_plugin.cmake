@@ -27,14 +27,14 @@ function(add_npr_plugin style)
 
     add_library(plugin_${style} MODULE ${PLUGIN_SOURCES})
     set_target_properties(plugin_${style} PROPERTIES PREFIX "" OUTPUT_NAME ${style}
-        LIBRARY_OUTPUT_DIRECTORY "${library_folder}" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-        BUILD_RPATH_USE_ORIGIN ON INSTALL_RPATH "$ORIGIN/../..")
+        LIBRARY_OUTPUT_DIRECTORY "${library_folder}" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     target_compile_features(plugin_${style} PRIVATE cxx_std_20)
     get_filename_component(shader_parent "${shader_folder}" DIRECTORY)
     file(MAKE_DIRECTORY "${shader_parent}")
     file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${shader_folder}" SYMBOLIC)
 
     if(HATCHWAY_IS_OWN_BUILD)
+        set_target_properties(plugin_${style} PROPERTIES INSTALL_RPATH "$ORIGIN/../..")
         target_link_libraries(plugin_${style} PRIVATE hatchway_flags hatchway)
         hatchway_own_plugin(${style} ${PLUGIN_SOURCES})
     else()
