@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 
 #include "hatchway/core/error.hpp"
@@ -168,6 +169,27 @@ void CommandLine::footer(const std::string& text)
 void CommandLine::callback(const std::function<void()>& run)
 {
     app_->callback(run);
+}
+
+std::vector<std::string> CommandLine::given(const std::vector<std::string>& but) const
+{
+    std::vector<std::string> words{full_name(*app_)};
+    std::vector<std::string> options;
+    for (const CLI::Option* option : app_->get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() == 0 || std::find(but.begin(), but.end(), name) != but.end()) continue;
+        const bool is_option = option->nonpositional();
+        std::vector<std::string>& list = is_option ? options : words;
+        if (is_option) list.push_back(name);
+        if (option->get_type_size_max() == 0) continue;  // a flag
+        const char separator = option->get_delimiter();
+        if (separator == '\0')
+            list.insert(list.end(), option->results().begin(), option->results().end());
+        else
+            list.push_back(fmt::format("{}", fmt::join(option->results(), std::string(1, separator))));
+    }
+    words.insert(words.end(), options.begin(), options.end());
+    return words;
 }
 
 CommandLineReader::CommandLineReader(const std::string& program, const std::string& help)

@@ -10,12 +10,18 @@ ReportSection hatch_section()
         .judge =
             "Columns of pixels, compared with lines of one width and one spacing (hatch_profile, no code of the "
             "engine).",
-        .leaves_out = "Curved surfaces other than a sphere.",
+        .leaves_out =
+            "Curved surfaces other than a sphere. Of the filters only trilinear and ordinary mips are the device's "
+            "(here "
+            "Mesa's on the processor); anisotropic is a formula of our shader. Distances lie off whole octaves, where "
+            "every hatch map is at its best; where no line is left there is no spacing.",
         .says =
             "Spacing, stroke width, tone and contrast of hatch maps on planes and a sphere over distance and angle, "
-            "against lines of one width and one spacing: our choice of the level, hardware filtering, ordinary mips "
-            "and none.",
-        .arguments = {"hatch", "--angles", "0,45,80", "--distances", "1,1.4,8,64,256"},
+            "against lines of one width and one spacing: our choice of the level, the device's filtering, ordinary "
+            "mips "
+            "and none. The summary is over all planes and the sphere.",
+        .arguments = {"hatch", "--angles", "0,45,80", "--distances", "1,1.2,1.5,1.8,11,90,200"},
+        .more = {"summary"},
         .plots = {{.title = "Time against tone error",
                    .x_column = "ms",
                    .x_label = "ms for a picture of 64 x 512",
@@ -41,12 +47,15 @@ ReportSection ink_section(const std::filesystem::path& maps)
         .judge = "The ink of level 0 and of the level before, of the same map, counted along rows and columns.",
         .leaves_out =
             "Maps whose levels are drawn by hand: they are shown as they are. Level 0 has half the tone of the others "
-            "by design, so their tone_error is about 1; tone_step is the jump from the level before.",
+            "by design, so their tone_error is about 1; tone_step is the jump from the level before. Where strokes are "
+            "gone there is no stroke error. Maps from pixels are drawn with the pen that this judge measures in level "
+            "0.",
         .says =
             "Width of strokes, tone and contrast of ink maps level by level: drawn anew from vectors (as made), from "
             "the pixels of level 0 alone (from pixels), and filtered by the minimum and the mean. Errors of tone are "
             "relative to the map's own.",
         .arguments = std::move(arguments),
+        .more = {"summary"},
         .plots = {{.title = "Tone of the levels",
                    .x_column = "level",
                    .x_label = "level",
@@ -58,24 +67,29 @@ ReportSection ink_section(const std::filesystem::path& maps)
 
 ReportSection coherence_section(const std::string& level)
 {
-    return {.name = "coherence",
-            .title = "Hatching from frame to frame",
-            .judge = "Places carried along by rays; two frames of the renderer.",
-            .leaves_out =
-                "Edges, and surfaces that bend by more than 30 degrees within 17 pixels. Ratios to the unfiltered map "
-                "are taken where both have marks (common_places); their amounts of ink differ: ink_there, "
-                "unfiltered_ink_there.",
-            .says =
-                "Neighbouring frames along the level's tour, warped by the true motion of the surface, flat and curved "
-                "places apart: change of ink in 3 x 3 pixels and in single pixels, of tone within 16 pixels, and the "
-                "way of marks over the surface. Costs at 1280 x 720 with lines, 1 and 4 samples, are in the JSON.",
-            .arguments = {"coherence", level, "--frames", "6"},
-            .plots = {{.title = "Flicker against sliding",
-                       .x_column = "pixel_flicker",
-                       .x_label = "mean change of ink of a pixel from frame to frame",
-                       .y_column = "slide_px_p95",
-                       .y_label = "way of marks over the surface, pixels, 95th percentile",
-                       .series_columns = {"ink", "surface"}}}};
+    return {
+        .name = "coherence",
+        .title = "Hatching from frame to frame",
+        .judge = "Places carried along by rays; two frames of the renderer.",
+        .leaves_out =
+            "Edges, and surfaces that bend by more than 30 degrees within 17 pixels. Ratios to the unfiltered map "
+            "are taken where both have marks (common_places); their amounts of ink differ: ink_there, "
+            "unfiltered_ink_there. Blank places (places less marked_places) count in no error; where "
+            "there are no marks at all, as of ordinary mips, a row holds dashes.",
+        .says =
+            "Neighbouring frames along the level's tour, warped by the true motion of the surface, flat and curved "
+            "places apart: change of ink in 3 x 3 pixels and in single pixels, of tone within 16 pixels, and the "
+            "way of marks over the surface. motion_px_median is how far the surface itself moves; of the 1,500 places "
+            "tried in each pair of frames those in column places were one smooth surface in both. Costs are of "
+            "1280 x 720 with lines.",
+        .arguments = {"coherence", level, "--frames", "6"},
+        .more = {"costs"},
+        .plots = {{.title = "Flicker against sliding",
+                   .x_column = "pixel_flicker",
+                   .x_label = "mean change of ink of a pixel from frame to frame",
+                   .y_column = "slide_px_p95",
+                   .y_label = "way of marks over the surface, pixels, 95th percentile",
+                   .series_columns = {"ink", "surface"}}}};
 }
 
 }  // namespace hw

@@ -3,11 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
-#include <fstream>
 #include <map>
-#include <thread>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
@@ -29,27 +25,10 @@ namespace fs = std::filesystem;
 struct ReportArguments {
     fs::path out;
     fs::path data;
-    std::string commit = "unknown commit";
     std::vector<std::string> only;
     bool is_reused = false;
     fs::path pages;
 };
-
-std::string processor_name()
-{
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-    return "unknown processor";
-}
-
-std::string today()
-{
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    char text[16] = {};
-    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-    return text;
-}
 
 void run_measure(const ReportSection& section, const fs::path& json)
 {
@@ -64,10 +43,13 @@ void run_measure(const ReportSection& section, const fs::path& json)
 MeasuredSection measured(const ReportSection& section, const ReportArguments& arguments)
 {
     const fs::path json = arguments.out / kResults / (section.name + ".json");
-    MeasuredSection result{section, {}, ""};
+    MeasuredSection result{section, {}, {}, ""};
     try {
         if (!arguments.is_reused) run_measure(section, json);
         result.table = read_json_table(json);
+        if (text_in(result.table.facts, "origin.commit") == "-")
+            throw Error({.what = "does not say what was measured where", .file = json.string()});
+        for (const std::string& name : section.more) result.more.push_back(read_json_table(json, name));
     } catch (const std::exception& error) {
         result.failure = error.what();
         log_warning("measure " + section.name + ": " + result.failure);
@@ -117,10 +99,8 @@ void write_report(const ReportArguments& arguments)
         if (!only.empty() && std::find(only.begin(), only.end(), section.name) == only.end()) continue;
         sections.push_back(measured(section, arguments));
     }
-    const ReportOrigin origin{HATCHWAY_VERSION, arguments.commit, processor_name(),
-                              static_cast<int>(std::thread::hardware_concurrency()), today()};
     const fs::path page = arguments.out / "index.html";
-    write_file_atomically(page, report_page(origin, sections));
+    write_file_atomically(page, report_page(sections));
     if (!arguments.pages.empty()) fill_pages(arguments.pages, arguments.out / kResults);
     print_line(page.string());
 }
@@ -134,7 +114,6 @@ void add_report_command(CommandLine app)
         app.add_subcommand("report", "Runs the measurements and makes one page of time against error");
     command.add_option("--out", arguments->out, "An existing folder for index.html and results/*.json").required();
     command.add_option("--data", arguments->data, "A folder with models/*.glb and scenes/*.glb to measure, too");
-    command.add_option("--commit", arguments->commit, "The commit that is measured, for the page");
     command.add_option("--only", arguments->only, "Names of sections; default: all");
     command.add_option("--fill", arguments->pages, "A folder of Markdown pages whose figures are written anew");
     command.add_flag("--reuse", arguments->is_reused, "Make the page from the JSON files that are there");

@@ -42,17 +42,28 @@ std::string table_of(const JsonTable& table)
     return html + "</table>\n";
 }
 
+std::string origin_html(const std::map<std::string, JsonCell>& facts)
+{
+    const auto fact = [&](const char* name) { return escaped(text_in(facts, std::string("origin.") + name)); };
+    return fmt::format("<pre>{}</pre>\n<p>Hatchway {}, commit {}; {}, {} threads; {}</p>\n", fact("command"),
+                       fact("version"), fact("commit"), fact("processor"), fact("threads"), fact("date"));
+}
+
 std::string section_html(const MeasuredSection& measured)
 {
-    std::string command = "hatchway measure";
-    for (const std::string& argument : measured.section.arguments) command += ' ' + argument;
-    std::string html =
-        fmt::format("<h2>{}</h2>\n<p><b>Does not show:</b> {}</p>\n<p>{}</p>\n<p><b>Judge:</b> {}</p>\n<pre>{}</pre>\n",
-                    escaped(measured.section.title), escaped(measured.section.leaves_out),
-                    escaped(measured.section.says), escaped(measured.section.judge), escaped(command));
+    const ReportSection& section = measured.section;
+    std::string html = fmt::format("<h2>{}</h2>\n", escaped(section.title));
     if (!measured.failure.empty()) return html + "<p class=\"failure\">" + escaped(measured.failure) + "</p>\n";
-    for (const PlotRecipe& recipe : measured.section.plots) html += svg_of(plot_of(recipe, measured.table));
-    return html + "<details><summary>All rows</summary>\n" + table_of(measured.table) + "</details>\n";
+    html += fmt::format("<p><b>Does not show:</b> {}</p>\n<p>{}</p>\n<p><b>Judge:</b> {}</p>\n",
+                        escaped(section.leaves_out), escaped(section.says), escaped(section.judge));
+    html += origin_html(measured.table.facts);
+    for (const PlotRecipe& recipe : section.plots) html += svg_of(plot_of(recipe, measured.table));
+    const auto add_table = [&](const std::string& name, const JsonTable& table) {
+        html += "<details><summary>" + escaped(name) + "</summary>\n" + table_of(table) + "</details>\n";
+    };
+    add_table("All rows", measured.table);
+    for (std::size_t i = 0; i < section.more.size(); ++i) add_table("More: " + section.more[i], measured.more[i]);
+    return html;
 }
 
 constexpr const char* kStyleSheet =
@@ -79,16 +90,15 @@ Plot plot_of(const PlotRecipe& recipe, const JsonTable& table)
     return plot;
 }
 
-std::string report_page(const ReportOrigin& origin, const std::vector<MeasuredSection>& sections)
+std::string report_page(const std::vector<MeasuredSection>& sections)
 {
     std::string html =
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Hatchway: measured</title>";
     html += fmt::format("<style>{}</style></head>\n<body>\n<h1>Hatchway: time against error</h1>\n", kStyleSheet);
-    html += fmt::format(
-        "<p>Hatchway {} ({}), {}, {} threads, {}. Every row holds a time and the error of the same run. "
-        "Each section says what it does not show, and what judges it.</p>\n",
-        escaped(origin.version), escaped(origin.commit), escaped(origin.processor), origin.threads,
-        escaped(origin.date));
+    html +=
+        "<p>Each section says what it does not show, what judges it, and which commit was measured where, by which "
+        "command. A row's time and its error are of one run; ink maps and coherence have errors alone. A dash stands "
+        "where there was nothing to measure.</p>\n";
     for (const MeasuredSection& section : sections) html += section_html(section);
     return html + "</body></html>\n";
 }

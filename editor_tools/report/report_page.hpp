@@ -8,26 +8,19 @@
 
 namespace hw {
 
-/// What was measured where.
-struct ReportOrigin {
-    std::string version;
-    std::string commit;
-    std::string processor;
-    int threads = 1;
-    std::string date;
-};
-
 /// One section with its rows, or why it has none.
 struct MeasuredSection {
     ReportSection section;
     JsonTable table;
+    std::vector<JsonTable> more;  ///< For each name in section.more.
     std::string failure;
 };
 
 /// The figure of a recipe; without series when no row has both columns.
 struct Plot plot_of(const PlotRecipe& recipe, const JsonTable& table);
 
-/// One HTML page: figures, tables, and the command of each section. Needs nothing beside it.
-std::string report_page(const ReportOrigin& origin, const std::vector<MeasuredSection>& sections);
+/// One HTML page: figures, tables, and for each section the commit, machine, day and command that made its rows, as
+/// they say themselves. Needs nothing beside it.
+std::string report_page(const std::vector<MeasuredSection>& sections);
 
 }  // namespace hw

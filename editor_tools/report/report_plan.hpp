@@ -25,6 +25,7 @@ struct ReportSection {
     std::string leaves_out;  ///< What the section does not show.
     std::string says;        ///< What is measured against what, in one or two sentences.
     std::vector<std::string> arguments;
+    std::vector<std::string> more = {};  ///< Lists of the JSON that are shown beside its rows.
     std::vector<PlotRecipe> plots;
 };
 

@@ -92,16 +92,25 @@ std::string axes_of(const Axis& x, const Axis& y)
     return svg;
 }
 
-std::string series_of(const PlotSeries& series, const Axis& x, const Axis& y, const char* colour)
+/// The colour and form that tell series `i` from all others of a plot.
+std::string mark_at(double x, double y, std::size_t i, double opacity)
+{
+    static constexpr std::array<const char*, 4> kForms{"M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", "M-3.5 -3.5h7v7h-7z",
+                                                       "M-4.5 3.5h9L0 -4.5z", "M-5 0L0 -5L5 0L0 5z"};
+    return fmt::format("<path transform=\"translate({:.1f} {:.1f})\" d=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", x,
+                       y, kForms[i / kColours.size() % kForms.size()], kColours[i % kColours.size()], opacity);
+}
+
+std::string series_of(const PlotSeries& series, const Axis& x, const Axis& y, std::size_t i)
 {
     std::string svg;
     std::string path;
     for (const auto& [px, py] : series.points) {
         path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.at(px), y.at(py));
-        svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\" fill-opacity=\"0.75\"/>\n",
-                           x.at(px), y.at(py), colour);
+        svg += mark_at(x.at(px), y.at(py), i, 0.75);
     }
-    if (series.is_joined) svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", path, colour);
+    if (series.is_joined)
+        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", path, kColours[i % kColours.size()]);
     return svg;
 }
 
@@ -139,10 +148,9 @@ std::string svg_of(const Plot& plot)
     svg += fmt::format("<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
                        0.5 * (y.from_px + y.to_px), escaped(plot.y_label));
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
-        const char* colour = kColours[i % kColours.size()];
         const double row = kTop + 10.0 + 18.0 * static_cast<double>(i);
-        svg += series_of(plot.series[i], x, y, colour);
-        svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", x.to_px + 16.0, row, colour);
+        svg += series_of(plot.series[i], x, y, i);
+        svg += mark_at(x.to_px + 16.0, row, i, 1.0);
         svg += text_at(x.to_px + 26.0, row + 4.0, "start", plot.series[i].name);
     }
     return svg + "</svg>\n";

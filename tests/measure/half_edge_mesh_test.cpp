@@ -17,7 +17,7 @@ TEST(half_edge_mesh, holds_every_face_of_a_manifold_without_new_vertices)
     const hw::HalfEdgeMesh mesh(surface);
     EXPECT_EQ(mesh.face_count(), surface.faces.size());
     EXPECT_EQ(mesh.edge_count(), surface.edges.size());
-    EXPECT_EQ(mesh.duplicated_vertices(), 0u);
+    EXPECT_EQ(mesh.refused_faces(), 0u);
 }
 
 TEST(half_edge_mesh, loses_no_face_where_openmesh_refuses_one)
@@ -28,8 +28,8 @@ TEST(half_edge_mesh, loses_no_face_where_openmesh_refuses_one)
         const hw::HalfEdgeMesh half_edges(surface);
         EXPECT_EQ(half_edges.face_count(), surface.faces.size());
         EXPECT_EQ(half_edges.face_count(), mesh.triangle_count());
-        EXPECT_GT(half_edges.duplicated_vertices(), 0u);
-        EXPECT_EQ(half_edges.vertex_count(), surface.positions.size() + half_edges.duplicated_vertices());
+        EXPECT_GT(half_edges.refused_faces(), 0u);
+        EXPECT_EQ(half_edges.vertex_count(), surface.positions.size() + 3 * half_edges.refused_faces());
     }
 }
 

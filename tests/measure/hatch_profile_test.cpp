@@ -73,6 +73,13 @@ TEST(hatch_profile, even_gray_has_its_tone_and_neither_lines_nor_contrast)
     EXPECT_LT(absolute_quantile(samples.tone, 1.0), 1e-9);
 }
 
+TEST(hatch_profile, of_nothing_there_is_no_figure_least_of_all_a_perfect_one)
+{
+    EXPECT_TRUE(std::isnan(absolute_quantile({}, 0.5)));
+    EXPECT_TRUE(std::isnan(root_mean_square({})));
+    EXPECT_TRUE(std::isnan(mean_of({})));
+}
+
 TEST(hatch_profile, a_beat_of_lines_that_pixels_skip_is_told_as_energy_below_the_line_frequency)
 {
     std::vector<double> beat(512);

@@ -143,6 +143,14 @@ TEST(line_error, adds_up_over_pictures)
     EXPECT_EQ(sum.leaked_share(), 0.0);
 }
 
+TEST(line_error, where_no_line_is_wanted_none_is_missed_and_none_is_right)
+{
+    const LineError error = line_error(paper(), {});
+    for (const double figure :
+         {error.missed_share(), error.leaked_share(), error.gaps_per_1000_px(), error.width_quantile(0.5)})
+        EXPECT_TRUE(std::isnan(figure));
+}
+
 TEST(ink, is_counted_in_linear_light)
 {
     Pixels picture{2, 1, 3, {255, 255, 255, 188, 188, 188}};

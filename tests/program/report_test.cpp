@@ -117,6 +117,64 @@ TEST(report_program, a_figure_that_no_result_has_is_refused_and_no_page_is_writt
     EXPECT_EQ(bytes_of(report.page("a.md")), stale);
 }
 
+/// A square of glass: it hides nothing.
+const char* const kGlass =
+    R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "scene": 0, "nodes": [{"mesh": 0}],
+"materials": [{"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.3]}}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+{"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+"bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+"buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA"}]})";
+
+TEST(measure_program, where_there_is_nothing_to_judge_there_is_no_perfect_result)
+{
+    const TemporaryFolder folder;
+    const std::string glass = folder.write("glass.gltf", kGlass);
+    const std::string triangle = folder.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::map<std::vector<std::string>, std::string> refused{
+        {{"pvs", glass, "--rays", "64", "--pvs", "fast"}, "no polygon that hides anything"},
+        {{"bsp", glass, "--points", "10"}, "no polygon that hides anything"},
+        {{"silhouettes", triangle, "--views", "2", "--offset", "0"}, "no edge is a silhouette from any view"}};
+    for (const auto& [words, reason] : refused) {
+        std::vector<std::string> all{"measure"};
+        all.insert(all.end(), words.begin(), words.end());
+        all.insert(all.end(), {"--json", folder / "rows.json"});
+        const ProgramResult result = run_program(all);
+        EXPECT_EQ(result.exit_code, 2) << words[0];
+        EXPECT_THAT(result.err, testing::HasSubstr(reason));
+    }
+    EXPECT_THAT(folder.names(), testing::ElementsAre("glass.gltf", "triangle.obj"));
+}
+
+TEST(report_program, a_result_says_what_was_measured_where_and_the_page_repeats_it_when_results_are_reused)
+{
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "results");
+    const std::string result = folder / "results/silhouettes.json";
+    const std::string prism = (kContent / "models" / "prism.glb").string();
+    ASSERT_EQ(
+        run_program({"measure", "silhouettes", prism, "--offset", "0,1e3", "--json", result, "--views", "1"}).exit_code,
+        0);
+    const std::string json = bytes_of(result);
+    for (const char* part : {"\"commit\": \"", "\"processor\": \"", "\"threads\": ", "\"date\": \""})
+        EXPECT_THAT(json, testing::HasSubstr(part));
+    EXPECT_THAT(json, testing::HasSubstr("hatchway measure silhouettes " + prism + " --views 1 --offset 0,1e3\""));
+
+    const auto page = [&] {
+        EXPECT_EQ(
+            run_program({"report", "--out", folder.path().string(), "--reuse", "--only", "silhouettes"}).exit_code, 0);
+        return bytes_of(folder.path() / "index.html");
+    };
+    folder.write("results/silhouettes.json",
+                 std::regex_replace(json, std::regex("\"date\": \"[^\"]*"), "\"date\": \"1999-12-31"));
+    EXPECT_THAT(page(), testing::AllOf(testing::HasSubstr("1999-12-31"), testing::HasSubstr("--offset 0,1e3</pre>"),
+                                       testing::HasSubstr("<table>")));
+    folder.write("results/silhouettes.json", R"({"rows": [{"model": "prism"}]})");
+    EXPECT_THAT(page(), testing::AllOf(testing::HasSubstr("does not say what was measured where"),
+                                       testing::Not(testing::HasSubstr("<table>"))));
+}
+
 TEST(measure_program, a_mesh_whose_faces_collapse_is_no_result)
 {
     const TemporaryFolder folder;

@@ -12,10 +12,11 @@
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/world/visibility/visibility.hpp"
 #include "measure/frame/frame_series.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/no_value.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
 #include "program/output_files.hpp"
@@ -30,7 +31,7 @@ struct FrameMeasureArguments {
     int frames = 50;
     std::string size = "1280x720";
     std::vector<std::string> efforts = kPvsEfforts;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 constexpr const char* kNoPvs = "none";
@@ -66,7 +67,7 @@ struct Row {
 
 double quantile(std::vector<double> values, double share)
 {
-    if (values.empty()) return 0.0;
+    if (values.empty()) return measure::kNoValue;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
     std::nth_element(values.begin(), at, values.end());
     return *at;
@@ -94,7 +95,7 @@ double visible_share(const Stage& stage, const std::vector<View>& views)
             if (is_visible[i]) seen += triangles;
         }
     }
-    return all > 0.0 ? seen / all : 1.0;
+    return measure::share_of(seen, all);
 }
 
 /// Rows of one style and one number of samples: without the PVS, then at every effort.
@@ -199,7 +200,7 @@ void measure_frame(const FrameMeasureArguments& arguments)
     const glm::ivec2 size = parse_size(arguments.size);
     const ShotArguments shot_arguments{.path = arguments.path, .frames = arguments.frames};
     check_shot_arguments(shot_arguments);
-    require_outputs({{"--json", arguments.json}}, {arguments.level.file});
+    require_outputs({arguments.result.output()}, {arguments.level.file});
     const auto context = make_headless_context();
     require_fits(size, context->device());
     std::vector<EffortStage> stages = open_stages(*context, arguments);
@@ -218,13 +219,12 @@ void measure_frame(const FrameMeasureArguments& arguments)
                 rows.push(row_json(row));
             }
     }
-    if (arguments.json.empty()) return;
-    write_json(arguments.json, JsonValue::object()
-                                   .set("level", arguments.level.file.string())
-                                   .set("path", arguments.path)
-                                   .set("size", arguments.size)
-                                   .set("device", context->device().renderer)
-                                   .set("rows", std::move(rows)));
+    arguments.result.write(JsonValue::object()
+                               .set("level", arguments.level.file.string())
+                               .set("path", arguments.path)
+                               .set("size", arguments.size)
+                               .set("device", context->device().renderer)
+                               .set("rows", std::move(rows)));
 }
 
 }  // namespace
@@ -243,7 +243,7 @@ void add_measure_frame(CommandLine measure)
     command.add_option("--pvs", arguments->efforts, "Efforts beside none; fast,full,exact")
         .check(one_of(kPvsEfforts))
         .delimiter(',');
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_frame(*arguments); });
 }
 

@@ -1,4 +1,4 @@
-// What grows with a level and what only with what is seen of it: levels of four sizes, all alike from the first room.
+// What grows with a level and what with what is seen of it: levels of four sizes, looked at from their first room.
 // Slopes are of a straight line through the logarithms: 1 is proportional, 0 constant. The error beside the time is the
 // share of pixels that differ from the frame drawn without the PVS.
 #include <fmt/format.h>
@@ -12,10 +12,10 @@
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/render/view/camera_view.hpp"
 #include "measure/frame/scale_level.hpp"
 #include "measure/log_slope.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/picture_difference.hpp"
 #include "program/arguments.hpp"
@@ -34,7 +34,7 @@ struct ScaleArguments {
     std::string size = "640x360";
     std::string style = "photoreal";
     fs::path write;
-    fs::path json;
+    MeasureResult result;
 };
 
 /// A folder for generated levels that goes away. Nobody can know its name before.
@@ -136,8 +136,8 @@ Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::p
     const auto start = Clock::now();
     Stage stage(context, options);
     row.open_again_s = seconds_since(start);
-    row.resident_mib = resident_mib();
     draw_frames(stage, arguments, parse_size(arguments.size), row);
+    row.resident_mib = resident_mib();
     return row;
 }
 
@@ -165,7 +165,7 @@ std::string row_text(const Row& row)
 void measure_scale(const ScaleArguments& arguments)
 {
     const glm::ivec2 size = parse_size(arguments.size);
-    require_outputs({{"--json", arguments.json}, {"--write", arguments.write}}, {});
+    require_outputs({arguments.result.output(), {"--write", arguments.write}}, {});
     if (!arguments.write.empty()) {
         const auto level = measure::write_scale_level(arguments.write, arguments.rooms.back());
         print_line(
@@ -189,15 +189,14 @@ void measure_scale(const ScaleArguments& arguments)
     const double frame = slope(rows, &Row::frame_ms);
     print_line(
         fmt::format("slopes against triangles: compile {:.2f}, memory {:.2f}, frame {:.2f}", compile, memory, frame));
-    if (arguments.json.empty()) return;
-    write_json(arguments.json, JsonValue::object()
-                                   .set("measure", "scale")
-                                   .set("device", context->device().renderer)
-                                   .set("size", arguments.size)
-                                   .set("compile_slope", compile)
-                                   .set("memory_slope", memory)
-                                   .set("frame_slope", frame)
-                                   .set("rows", std::move(json_rows)));
+    arguments.result.write(JsonValue::object()
+                               .set("measure", "scale")
+                               .set("device", context->device().renderer)
+                               .set("size", arguments.size)
+                               .set("compile_slope", compile)
+                               .set("memory_slope", memory)
+                               .set("frame_slope", frame)
+                               .set("rows", std::move(json_rows)));
 }
 
 }  // namespace
@@ -206,7 +205,7 @@ void add_measure_scale(CommandLine measure)
 {
     auto arguments = std::make_shared<ScaleArguments>();
     CommandLine command = measure.add_subcommand(
-        "scale", "What grows with a level: compile, memory and a frame of equal visible work, over several sizes");
+        "scale", "What grows with a level: compile, memory and a frame from its first room, over several sizes");
     command.add_option("--rooms", arguments->rooms, "Sizes, 64,128,256,500: 10 objects and 4,000 triangles a room")
         .option_text("N,N,...")
         .check(whole_number_in(2, 20'000))
@@ -218,7 +217,7 @@ void add_measure_scale(CommandLine measure)
     command.add_option("--style", arguments->style, "Of all objects; photoreal").option_text("STYLE");
     command.add_option("--write", arguments->write, "Only write the model of the last size here, to look at it")
         .option_text("FILE.glb");
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_scale(*arguments); });
 }
 

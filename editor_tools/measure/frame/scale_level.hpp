@@ -6,7 +6,7 @@
 
 namespace hw::measure {
 
-/// A level of equal rooms on a grid, as large as one likes, that looks the same from its first room whatever its size:
+/// A level of equal rooms on a grid, as large as one likes, seen from its first room:
 /// doorways are out of line, so that sight ends after a room or two. Each room is a shell and nine vessels, all
 /// instances of a few meshes. The same number of rooms gives the same bytes.
 struct ScaleLevel {

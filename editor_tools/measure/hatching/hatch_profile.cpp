@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "measure/no_value.hpp"
+
 namespace hw {
 namespace {
 
@@ -92,7 +94,7 @@ void add_samples(HatchSamples& samples, const HatchSamples& more)
 
 double absolute_quantile(std::vector<double> values, double share)
 {
-    if (values.empty()) return 0.0;
+    if (values.empty()) return measure::kNoValue;
     for (double& value : values) value = std::abs(value);
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
     std::nth_element(values.begin(), at, values.end());
@@ -101,15 +103,14 @@ double absolute_quantile(std::vector<double> values, double share)
 
 double root_mean_square(std::span<const double> values)
 {
-    if (values.empty()) return 0.0;
+    if (values.empty()) return measure::kNoValue;
     const double sum = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
 double mean_of(std::span<const double> values)
 {
-    return values.empty() ? 0.0
-                          : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    return measure::share_of(std::accumulate(values.begin(), values.end(), 0.0), static_cast<double>(values.size()));
 }
 
 }  // namespace hw

@@ -28,7 +28,9 @@ void add_profile(HatchSamples& samples, std::span<const double> ink, const Hatch
 /// Adds all of `more`.
 void add_samples(HatchSamples& samples, const HatchSamples& more);
 
-/// The value below which this share of the absolute values lies; 0 of nothing.
+// Of nothing these are measure::kNoValue.
+
+/// The value below which this share of the absolute values lies.
 double absolute_quantile(std::vector<double> values, double share);
 double root_mean_square(std::span<const double> values);
 double mean_of(std::span<const double> values);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <map>
 #include <random>
 
@@ -12,12 +13,13 @@
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/world/camera_path.hpp"
 #include "measure/hatching/hatch_profile.hpp"
 #include "measure/hatching/inked_level.hpp"
 #include "measure/hatching/surface_motion.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/no_value.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
 #include "program/output_files.hpp"
@@ -34,7 +36,7 @@ struct CoherenceArguments {
     int frames = 12;
     std::string size = "960x540";
     std::string cost_size = "1280x720";
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 struct FramePair {
@@ -74,14 +76,17 @@ std::vector<FramePair> frame_pairs(const CoherenceArguments& arguments, const In
 JsonValue kind_row(const std::string& name, bool is_curved, const std::vector<SeenTwice>& places,
                    const std::vector<CoherenceError>& errors, const std::vector<CoherenceError>& unfiltered)
 {
-    std::vector<double> flicker, pixel_flicker, tone, slide, own, other, own_ink, other_ink;
+    std::vector<double> flicker, pixel_flicker, tone, slide, motion, own, other, own_ink, other_ink;
+    std::uint64_t all = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (places[i].is_curved != is_curved) continue;
+        ++all;
+        motion.push_back(glm::distance(places[i].after, places[i].before));
         const CoherenceError& e = errors[i];
+        if (e.slide < 0.0) continue;  // blank paper does not flicker
         flicker.push_back(e.flicker);
         pixel_flicker.push_back(e.pixel_flicker);
         tone.push_back(e.tone);
-        if (e.slide < 0.0) continue;
         slide.push_back(e.slide);
         if (unfiltered[i].slide < 0.0) continue;
         own.push_back(e.pixel_flicker);
@@ -89,15 +94,16 @@ JsonValue kind_row(const std::string& name, bool is_curved, const std::vector<Se
         own_ink.push_back(e.ink);
         other_ink.push_back(unfiltered[i].ink);
     }
-    const double ratio = own.empty() ? 0.0 : mean_of(own) / std::max(mean_of(other), 1e-12);
+    const double ratio = measure::share_of(mean_of(own), mean_of(other));
     print_line(fmt::format("{:<16}{:<8}{:>7}{:>7}{:>9.4f}{:>9.4f}{:>9.2f}{:>10.4f}{:>10.3f}{:>10.3f}", name,
-                           is_curved ? "curved" : "flat", flicker.size(), slide.size(), mean_of(flicker),
-                           mean_of(pixel_flicker), ratio, absolute_quantile(tone, 0.99), absolute_quantile(slide, 0.5),
+                           is_curved ? "curved" : "flat", all, slide.size(), mean_of(flicker), mean_of(pixel_flicker),
+                           ratio, absolute_quantile(tone, 0.99), absolute_quantile(slide, 0.5),
                            absolute_quantile(slide, 0.95)));
     return JsonValue::object()
         .set("ink", name)
         .set("surface", is_curved ? "curved" : "flat")
-        .set("places", std::uint64_t{flicker.size()})
+        .set("places", all)
+        .set("motion_px_median", absolute_quantile(motion, 0.5))
         .set("marked_places", std::uint64_t{slide.size()})
         .set("flicker", mean_of(flicker))
         .set("pixel_flicker", mean_of(pixel_flicker))
@@ -172,28 +178,37 @@ JsonValue cost_rows(InkedLevel& level, const std::vector<FramePair>& pairs, glm:
     return rows;
 }
 
+void refuse_none_seen(const std::vector<FramePair>& pairs)
+{
+    for (const FramePair& pair : pairs)
+        if (!pair.places.empty()) return;
+    throw Error({.what = "two neighbouring frames have no place of a smooth surface in common",
+                 .expected = "a slower --path, nearer to surfaces"});
+}
+
 void measure_coherence(const CoherenceArguments& arguments)
 {
     const glm::ivec2 size = parse_size(arguments.size), cost_size = parse_size(arguments.cost_size);
-    require_outputs({{"--json", arguments.json}}, {arguments.file});
+    require_outputs({arguments.result.output()}, {arguments.file});
     const auto context = make_headless_context();
     require_fits(size, context->device());
     require_fits(cost_size, context->device());
     InkedLevel level(*context, arguments.file);
     const std::vector<FramePair> pairs = frame_pairs(arguments, level, size);
+    refuse_none_seen(pairs);
     Progress progress("Measuring", level.kinds().size());
     JsonValue rows = coherence_rows(level, pairs, size, progress);
     JsonValue costs = cost_rows(level, pairs, cost_size);
-    if (arguments.json.empty()) return;
-    write_json(arguments.json, JsonValue::object()
-                                   .set("level", arguments.file.string())
-                                   .set("path", arguments.path)
-                                   .set("size", arguments.size)
-                                   .set("cost_size", arguments.cost_size)
-                                   .set("frames", arguments.frames)
-                                   .set("device", context->device().renderer)
-                                   .set("rows", std::move(rows))
-                                   .set("costs", std::move(costs)));
+    arguments.result.write(JsonValue::object()
+                               .set("level", arguments.file.string())
+                               .set("path", arguments.path)
+                               .set("size", arguments.size)
+                               .set("cost_size", arguments.cost_size)
+                               .set("frames", arguments.frames)
+                               .set("tries", std::uint64_t{kTries} * pairs.size())
+                               .set("device", context->device().renderer)
+                               .set("rows", std::move(rows))
+                               .set("costs", std::move(costs)));
 }
 
 }  // namespace
@@ -212,7 +227,7 @@ void add_measure_coherence(CommandLine measure)
     command.add_option("--size", arguments->size, "Size of the picture, 960x540").option_text("WxH");
     command.add_option("--cost-size", arguments->cost_size, "Size of the pictures that are timed, 1280x720")
         .option_text("WxH");
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_coherence(*arguments); });
 }
 

@@ -10,10 +10,11 @@
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/images/images.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "measure/hatching/hatch_probe.hpp"
 #include "measure/hatching/hatch_profile.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/no_value.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
 #include "program/output_files.hpp"
@@ -33,7 +34,7 @@ struct HatchMeasureArguments {
     std::vector<double> angles{0.0, 22.5, 45.0, 60.0, 70.0, 80.0};
     std::vector<double> distances{1.0, 1.4, 2.0, 5.6, 16.0, 45.0, 90.0, 181.0, 256.0};
     std::filesystem::path pictures;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 struct Row {
@@ -70,8 +71,8 @@ Row measured(HatchProbe& probe, const HatchPlace& place, LevelChoice choice)
 /// Numbers of one row, or of several together. `native_contrast`: that of the map seen straight on at its own scale.
 JsonValue errors_json(const HatchSamples& samples, double native_contrast)
 {
-    double nearest = 0.0;
-    double farthest = 0.0;
+    double nearest = measure::kNoValue;
+    double farthest = measure::kNoValue;
     if (!samples.spacing.empty()) {
         const auto [least, most] = std::minmax_element(samples.spacing.begin(), samples.spacing.end());
         nearest = 1.0 + *least;
@@ -79,7 +80,7 @@ JsonValue errors_json(const HatchSamples& samples, double native_contrast)
     }
     std::vector<double> contrast = samples.contrast;
     const double contrast_p5 = [&] {
-        if (contrast.empty()) return 0.0;
+        if (contrast.empty()) return measure::kNoValue;
         const auto at = contrast.begin() + static_cast<std::ptrdiff_t>(contrast.size() / 20);
         std::nth_element(contrast.begin(), at, contrast.end());
         return *at;
@@ -108,7 +109,7 @@ std::string errors_text(const std::string& name, const HatchSamples& s, double n
         "{:.3f}  "
         "contrast {:.2f}  moire {:.3f}  {:.2f} ms\n",
         name, 100.0 * absolute_quantile(s.spacing, 0.5), 100.0 * absolute_quantile(s.spacing, 0.99),
-        s.spacing.empty() ? 0.0 : 1.0 + *least, s.spacing.empty() ? 0.0 : 1.0 + *most,
+        s.spacing.empty() ? measure::kNoValue : 1.0 + *least, s.spacing.empty() ? measure::kNoValue : 1.0 + *most,
         100.0 * absolute_quantile(s.ink_spacing, 0.5), 100.0 * absolute_quantile(s.ink_spacing, 0.99),
         100.0 * absolute_quantile(s.width, 0.5), std::abs(mean_of(s.tone)), root_mean_square(s.tone),
         mean_of(s.contrast) / native_contrast, root_mean_square(s.low_energy), ms);
@@ -137,7 +138,7 @@ void write_pictures(HatchProbe& probe, const std::filesystem::path& folder)
 
 void measure_hatch(const HatchMeasureArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, {});
+    require_outputs({arguments.result.output()}, {});
     if (!arguments.pictures.empty()) require_folder(arguments.pictures, "--pictures");
     const auto context = make_headless_context();
     HatchProbe probe(*context);
@@ -160,15 +161,17 @@ void measure_hatch(const HatchMeasureArguments& arguments)
             add_samples(all, row.samples);
             ms += row.ms / static_cast<double>(places.size());
         }
+        if (all.width.empty())
+            throw Error({.what = std::string(kLevelChoices[i]) + ": no line of the map was seen",
+                         .expected = "--distances nearer than that"});
         print_lines(errors_text(std::string(kLevelChoices[i]), all, native, ms));
         summary.push(errors_json(all, native).set("choice", std::string(kLevelChoices[i])).set("ms", ms));
     }
     if (!arguments.pictures.empty()) write_pictures(probe, arguments.pictures);
-    if (arguments.json.empty()) return;
-    write_json(arguments.json, JsonValue::object()
-                                   .set("device", context->device().renderer)
-                                   .set("summary", std::move(summary))
-                                   .set("rows", std::move(rows)));
+    arguments.result.write(JsonValue::object()
+                               .set("device", context->device().renderer)
+                               .set("summary", std::move(summary))
+                               .set("rows", std::move(rows)));
 }
 
 }  // namespace
@@ -189,7 +192,7 @@ void add_measure_hatch(CommandLine measure)
         .check(number_in(0.1, 10'000.0));
     command.add_option("--pictures", arguments->pictures, "An existing folder for one picture of each choice")
         .option_text("DIR");
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_hatch(*arguments); });
 }
 

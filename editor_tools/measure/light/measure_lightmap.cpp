@@ -5,9 +5,9 @@
 
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/world/light/bake.hpp"
 #include "measure/light/light_error.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
@@ -21,7 +21,7 @@ constexpr std::uint32_t kLeakSamples = 64;
 
 struct LightmapMeasureArguments {
     std::uint32_t samples = bake_options(BakeQuality::final).samples;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 struct LightRow {
@@ -95,11 +95,10 @@ JsonValue measure_leaks()
 
 void measure_lightmap(const LightmapMeasureArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, {});
+    require_outputs({arguments.result.output()}, {});
     JsonValue rows = measure_cases(arguments.samples);
     JsonValue leaks = measure_leaks();
-    if (arguments.json.empty()) return;
-    write_json(arguments.json, JsonValue::object().set("rows", std::move(rows)).set("leaks", std::move(leaks)));
+    arguments.result.write(JsonValue::object().set("rows", std::move(rows)).set("leaks", std::move(leaks)));
 }
 
 }  // namespace
@@ -112,7 +111,7 @@ void add_measure_lightmap(CommandLine measure)
     command.add_option("--samples", arguments->samples, "Of each luxel in the last pass; those of final quality")
         .option_text("N")
         .check(whole_number_in(8, 65536));
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_lightmap(*arguments); });
 }
 

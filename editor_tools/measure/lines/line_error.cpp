@@ -223,7 +223,7 @@ double ink_share(const InkImage& image)
 
 double LineError::width_quantile(double share) const
 {
-    if (width_ratios.empty()) return 0.0;
+    if (width_ratios.empty()) return measure::kNoValue;
     std::vector<float> sorted = width_ratios;
     const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1) + 0.5);
     std::nth_element(sorted.begin(), at, sorted.end());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hatchway/core/pixels.hpp"
+#include "measure/no_value.hpp"
 
 namespace hw {
 
@@ -40,10 +41,11 @@ struct LineError {
     /// Drawn width / wanted width, every half pixel of lines that stand alone.
     std::vector<float> width_ratios;
 
-    double missed_share() const { return wanted_px > 0.0 ? missed_px / wanted_px : 0.0; }
-    double leaked_share() const { return ink_px > 0.0 ? leaked_px / ink_px : 0.0; }
-    double gaps_per_1000_px() const { return wanted_px > 0.0 ? 1000.0 * gaps / wanted_px : 0.0; }
-    /// Of the width ratios; `share` in [0, 1]. 0 when no line stands alone.
+    // No value of nothing: where no line is wanted, no ink is there, no line stands alone.
+    double missed_share() const { return measure::share_of(missed_px, wanted_px); }
+    double leaked_share() const { return measure::share_of(leaked_px, ink_px); }
+    double gaps_per_1000_px() const { return measure::share_of(1000.0 * gaps, wanted_px); }
+    /// Of the width ratios; `share` in [0, 1].
     double width_quantile(double share) const;
 
     void add(const LineError& other);

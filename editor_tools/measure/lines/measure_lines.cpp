@@ -5,17 +5,18 @@
 
 #include <algorithm>
 
+#include "hatchway/core/error.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
 #include "hatchway/io/images/images.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/plugin_host/make_style.hpp"
 #include "hatchway/render/renderer.hpp"
 #include "measure/lines/exact_lines.hpp"
 #include "measure/lines/line_error.hpp"
 #include "measure/lines/line_style.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
@@ -30,7 +31,7 @@ struct LinesMeasureArguments {
     std::string size = "1400x900";
     bool has_sweep = false;
     std::filesystem::path pictures;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 /// One way of drawing.
@@ -187,6 +188,8 @@ std::vector<Row> measure_scene(const LinesMeasureArguments& arguments, const std
     for (Row& row : rows) {
         row.views = static_cast<int>(cameras.size());
         row.exact_s = exact_s / row.views;
+        if (row.error.wanted_px <= 0.0)
+            throw Error({.what = "no line is visible from any view", .file = file.string(), .expected = "lines"});
     }
     return rows;
 }
@@ -194,7 +197,7 @@ std::vector<Row> measure_scene(const LinesMeasureArguments& arguments, const std
 void measure_lines(const LinesMeasureArguments& arguments)
 {
     const glm::ivec2 size = parse_size(arguments.size);
-    require_outputs({{"--json", arguments.json}}, arguments.files);
+    require_outputs({arguments.result.output()}, arguments.files);
     if (!arguments.pictures.empty()) make_folder(arguments.pictures);
     const auto context = make_headless_context();
     require_fits(size, context->device());
@@ -209,11 +212,10 @@ void measure_lines(const LinesMeasureArguments& arguments)
         }
         progress.advance();
     }
-    if (!arguments.json.empty())
-        write_json(arguments.json, JsonValue::object()
-                                       .set("size", arguments.size)
-                                       .set("device", context->device().renderer)
-                                       .set("rows", std::move(rows)));
+    arguments.result.write(JsonValue::object()
+                               .set("size", arguments.size)
+                               .set("device", context->device().renderer)
+                               .set("rows", std::move(rows)));
 }
 
 }  // namespace
@@ -230,7 +232,7 @@ void add_measure_lines(CommandLine measure)
     command.add_flag("--sweep", arguments->has_sweep, "Also over polygon offsets, with quads at 4 samples");
     command.add_option("--pictures", arguments->pictures, "A folder for judged pictures: leaked red, missed blue")
         .option_text("DIR");
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_lines(*arguments); });
 }
 

@@ -7,11 +7,11 @@
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/io/images/images.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/render/view/line_camera.hpp"
 #include "measure/lines/exact_lines.hpp"
 #include "measure/lines/line_style.hpp"
 #include "measure/lines/ray_judge.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
@@ -27,7 +27,7 @@ struct VisibleLinesArguments {
     int views = 4;
     std::string size = "1400x900";
     std::filesystem::path pictures;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 struct Row {
@@ -117,7 +117,7 @@ std::string row_text(const Row& row)
 
 void measure_visible_lines(const VisibleLinesArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, arguments.files);
+    require_outputs({arguments.result.output()}, arguments.files);
     if (!arguments.pictures.empty()) make_folder(arguments.pictures);
     const PluginRegistry plugins;
     Progress progress("Measuring visible lines", arguments.files.size());
@@ -128,8 +128,7 @@ void measure_visible_lines(const VisibleLinesArguments& arguments)
         rows.push(row_json(row));
         progress.advance();
     }
-    if (!arguments.json.empty())
-        write_json(arguments.json, JsonValue::object().set("size", arguments.size).set("rows", std::move(rows)));
+    arguments.result.write(JsonValue::object().set("size", arguments.size).set("rows", std::move(rows)));
 }
 
 }  // namespace
@@ -148,7 +147,7 @@ void add_measure_visible_lines(CommandLine measure)
         .add_option("--pictures", arguments->pictures,
                     "A folder for judged pictures: missed blue, thinned orange, extra red")
         .option_text("DIR");
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_visible_lines(*arguments); });
 }
 

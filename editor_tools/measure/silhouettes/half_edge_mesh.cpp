@@ -71,9 +71,9 @@ std::uint32_t HalfEdgeMesh::edge_count() const
 {
     return static_cast<std::uint32_t>(mesh_->tri.n_edges());
 }
-std::uint32_t HalfEdgeMesh::duplicated_vertices() const
+std::uint32_t HalfEdgeMesh::refused_faces() const
 {
-    return vertex_count() - mesh_->surface_positions;
+    return (vertex_count() - mesh_->surface_positions) / 3;
 }
 
 std::array<std::uint32_t, 2> HalfEdgeMesh::edge_ends(int edge) const

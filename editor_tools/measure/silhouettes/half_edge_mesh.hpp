@@ -22,7 +22,7 @@ class HalfEdgeMesh {
     std::uint32_t face_count() const;
     std::uint32_t vertex_count() const;
     std::uint32_t edge_count() const;
-    std::uint32_t duplicated_vertices() const;  ///< Vertices added because a face was refused.
+    std::uint32_t refused_faces() const;  ///< That got corners of their own.
 
     /// The plain way to find silhouettes, for comparison: over all edges, precomputed float normals, eye to the edge's
     /// middle. Edge numbers are OpenMesh's.

@@ -1,5 +1,5 @@
 // Milliseconds and errors of every way to find silhouettes, over the same views in one run. The reference computes with
-// rational numbers and shares no code with what it judges.
+// rational numbers and shares no code with what it judges. Edges that repair of the mesh changed count apart.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +10,11 @@
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/io/model/import.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/no_value.hpp"
 #include "measure/silhouettes/silhouette_subject.hpp"
 #include "measure/silhouettes/smooth_mesh.hpp"
 #include "program/arguments.hpp"
@@ -33,7 +34,7 @@ struct SilhouetteMeasureArguments {
     std::vector<double> offsets{0.0, 1e3, 1e5, 1e6};
     std::vector<double> node_offsets;
     std::vector<double> scales{1.0};
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 enum class Method { brute, candidates, hierarchy, automatic, openmesh, openmesh_kept };
@@ -67,9 +68,13 @@ struct Row {
     std::uint64_t faces = 0;
     double faces_left = 1.0;  ///< Share of the model's faces before it was moved and scaled.
     std::uint64_t edges = 0;
-    SilhouetteErrors errors;           ///< Against the file's triangles.
+    std::size_t views = 0;
+    std::uint64_t expected = 0;        ///< Silhouettes of the file's triangles, all views.
+    SilhouetteErrors errors;           ///< Against the file's triangles, where repair changed nothing.
+    SilhouetteErrors changed_errors;   ///< The same where it did.
     SilhouetteErrors repaired_errors;  ///< Against the surface after welding and repair.
-    std::optional<std::uint64_t> odd;  ///< Vertices; candidates make no closed loops.
+    std::uint64_t changed_edges = 0;
+    std::uint64_t refused_faces = 0;  ///< By OpenMesh: its mesh is another one there.
     SilhouetteCounters counters;
     std::uint64_t bytes = 0;
     double preprocess_s = 0.0;
@@ -77,7 +82,7 @@ struct Row {
 
 double quantile(std::vector<double> values, double share)
 {
-    if (values.empty()) return 0.0;
+    if (values.empty()) return measure::kNoValue;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
     std::nth_element(values.begin(), at, values.end());
     return *at;
@@ -147,6 +152,13 @@ std::vector<OracleEdge> common(const std::vector<OracleEdge>& a, const std::vect
     return both;
 }
 
+std::vector<OracleEdge> without(const std::vector<OracleEdge>& edges, const std::vector<OracleEdge>& others)
+{
+    std::vector<OracleEdge> left;
+    std::set_difference(edges.begin(), edges.end(), others.begin(), others.end(), std::back_inserter(left));
+    return left;
+}
+
 void add(SilhouetteErrors& sum, const SilhouetteErrors& part)
 {
     sum.false_positives += part.false_positives;
@@ -165,7 +177,12 @@ void judge(const SilhouetteSubject& subject, const std::vector<OracleEdge>& foun
         of_surface = common(candidates, of_surface);
         of_file = common(in_file(candidates), of_file);
     }
-    add(row.errors, subject.file_oracle->judge(in_file(found), of_file));
+    const std::vector<OracleEdge> found_in_file = in_file(found);
+    const std::vector<OracleEdge>& changed = subject.changed;
+    const SilhouetteOracle& oracle = *subject.file_oracle;
+    row.expected += of_file.size();
+    add(row.errors, oracle.judge(without(found_in_file, changed), without(of_file, changed)));
+    add(row.changed_errors, oracle.judge(common(found_in_file, changed), common(of_file, changed)));
     add(row.repaired_errors, subject.surface_oracle->judge(found, of_surface));
 }
 
@@ -181,7 +198,9 @@ void measure_subject(const SilhouetteSubject& subject, Row& row)
             if (round == 0) judge(subject, found, view, row);
         }
     }
-    if (row.variant.method != Method::candidates) row.odd = row.repaired_errors.odd_vertices;
+    row.views = subject.views.size();
+    row.changed_edges = subject.changed.size();
+    row.refused_faces = is_openmesh(row.variant.method) ? subject.half_edges->refused_faces() : 0;
     row.faces = subject.surface.faces.size();
     row.edges = subject.surface.edges.size();
     row.counters = scratch.counters;
@@ -193,7 +212,25 @@ void measure_subject(const SilhouetteSubject& subject, Row& row)
 
 double share(std::uint64_t part, std::uint64_t whole)
 {
-    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+    return measure::share_of(static_cast<double>(part), static_cast<double>(whole));
+}
+
+/// Errors say nothing where OpenMesh's mesh is not ours.
+bool is_judged(const Row& row)
+{
+    return row.refused_faces == 0;
+}
+
+/// Candidates are what the engine says, so none of them can be missing, and they make no closed loops.
+bool has_loops(const Row& row)
+{
+    return is_judged(row) && row.variant.method != Method::candidates;
+}
+
+void set_errors(JsonValue& json, const Row& row, const std::string& prefix, const SilhouetteErrors& errors)
+{
+    if (is_judged(row)) json.set(prefix + "fp", std::uint64_t{errors.false_positives});
+    if (has_loops(row)) json.set(prefix + "fn", std::uint64_t{errors.false_negatives});
 }
 
 JsonValue row_json(const Row& row)
@@ -206,10 +243,13 @@ JsonValue row_json(const Row& row)
     json.set("scale", row.placement.scale).set("faces", row.faces).set("faces_left", row.faces_left);
     json.set("ms_median", median).set("ms_p95", quantile(row.ms, 0.95));
     json.set("ns_per_edge", 1e6 * median / static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
-    json.set("fp", std::uint64_t{row.errors.false_positives}).set("fn", std::uint64_t{row.errors.false_negatives});
-    json.set("repaired_fp", std::uint64_t{row.repaired_errors.false_positives});
-    json.set("repaired_fn", std::uint64_t{row.repaired_errors.false_negatives});
-    if (row.odd) json.set("odd", *row.odd);
+    json.set("views", std::uint64_t{row.views}).set("expected", row.expected);
+    set_errors(json, row, "", row.errors);
+    json.set("changed_edges", row.changed_edges);
+    set_errors(json, row, "changed_", row.changed_errors);
+    set_errors(json, row, "repaired_", row.repaired_errors);
+    if (has_loops(row)) json.set("odd", std::uint64_t{row.repaired_errors.odd_vertices});
+    json.set("refused_faces", row.refused_faces);
     json.set("fallback", share(row.counters.exact_stage, row.counters.faces_tested));
     json.set("double_stage", share(row.counters.double_stage, row.counters.faces_tested));
     json.set("tested_share", static_cast<double>(row.counters.edges_tested) / calls /
@@ -218,16 +258,22 @@ JsonValue row_json(const Row& row)
     return json;
 }
 
-constexpr const char* kHeading = "{:<24} {:<13} {:<6} {:>8} {:<8} {:>8} {:>9} {:>9} {:>6} {:>6} {:>9} {:>9} {:>5}";
+constexpr const char* kHeading = "{:<24} {:<13} {:<6} {:>8} {:<8} {:>8} {:>9} {:>9} {:>9} {:>13} {:>13} {:>13} {:>5}\n";
+
+std::string errors_text(const Row& row, const SilhouetteErrors& errors)
+{
+    return fmt::format("{}, {}", is_judged(row) ? fmt::format("{}", errors.false_positives) : "-",
+                       has_loops(row) ? fmt::format("{}", errors.false_negatives) : "-");
+}
 
 std::string row_text(const Row& row)
 {
-    return fmt::format("{:<24} {:<13} {:<6} {:>8.0e} {:<8} {:>8.0e} {:>9.3f} {:>9.3f} {:>6} {:>6} {:>9} {:>9} {:>5}\n",
-                       row.model, row.variant.method_name, row.variant.precision_name, row.placement.offset,
-                       row.placement.is_by_node ? "node" : "vertices", row.placement.scale, quantile(row.ms, 0.5),
-                       quantile(row.ms, 0.95), row.errors.false_positives, row.errors.false_negatives,
-                       row.repaired_errors.false_positives, row.repaired_errors.false_negatives,
-                       row.odd ? fmt::format("{}", *row.odd) : "-");
+    return fmt::format(kHeading, row.model, row.variant.method_name, row.variant.precision_name,
+                       fmt::format("{:.0e}", row.placement.offset), row.placement.is_by_node ? "node" : "vertices",
+                       fmt::format("{:.0e}", row.placement.scale), fmt::format("{:.3f}", quantile(row.ms, 0.5)),
+                       fmt::format("{:.3f}", quantile(row.ms, 0.95)), row.expected, errors_text(row, row.errors),
+                       errors_text(row, row.changed_errors), errors_text(row, row.repaired_errors),
+                       has_loops(row) ? fmt::format("{}", row.repaired_errors.odd_vertices) : "-");
 }
 
 /// All primitives of a model as one mesh of bare triangles, object space.
@@ -271,14 +317,14 @@ std::vector<SilhouettePlacement> placements_of(const SilhouetteMeasureArguments&
 
 void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, arguments.files);
+    require_outputs({arguments.result.output()}, arguments.files);
     JsonValue rows = JsonValue::array();
     bool is_empty = true;
     const std::vector<NamedMesh> meshes = meshes_of(arguments);
     const std::vector<SilhouettePlacement> placements = placements_of(arguments);
     Progress progress("Measuring silhouettes", meshes.size() * placements.size());
-    print_line(fmt::format(kHeading, "model", "method", "number", "offset", "of", "scale", "median ms", "p95 ms",
-                           "false+", "false-", "repaired+", "repaired-", "odd"));
+    print_lines(fmt::format(kHeading, "model", "method", "number", "offset", "of", "scale", "median ms", "p95 ms",
+                            "expected", "false, missed", "changed", "repaired", "odd"));
     for (const NamedMesh& named : meshes) {
         const std::size_t whole_faces = whole_faces_of(named.mesh);
         for (const SilhouettePlacement& placement : placements) {
@@ -288,6 +334,9 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
             for (const Variant& variant : kVariants) {
                 Row row{.model = named.name, .variant = variant, .placement = placement};
                 measure_subject(*subject, row);
+                if (row.expected == 0 && variant.method == Method::brute)
+                    throw Error({.what = named.name + ": no edge is a silhouette from any view",
+                                 .expected = "a mesh with edges of two faces"});
                 row.faces_left = static_cast<double>(row.faces) / static_cast<double>(whole_faces);
                 rows.push(row_json(row));
                 is_empty = false;
@@ -297,12 +346,11 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
     }
     if (is_empty)
         throw Error({.what = "no model keeps its faces there", .expected = "a smaller --offset or a larger --scale"});
-    if (!arguments.json.empty())
-        write_json(arguments.json, JsonValue::object()
-                                       .set("views", arguments.views.around)
-                                       .set("random_views", arguments.views.random)
-                                       .set("is_orthographic", arguments.views.is_orthographic)
-                                       .set("rows", std::move(rows)));
+    arguments.result.write(JsonValue::object()
+                               .set("views", arguments.views.around)
+                               .set("random_views", arguments.views.random)
+                               .set("is_orthographic", arguments.views.is_orthographic)
+                               .set("rows", std::move(rows)));
 }
 
 }  // namespace
@@ -338,7 +386,7 @@ void add_measure_silhouettes(CommandLine measure)
         .delimiter(',')
         .option_text("LIST")
         .check(number_in(1e-9, 1e9));
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_silhouettes(*arguments); });
 }
 

@@ -40,6 +40,14 @@ OracleEdge edge_of(std::uint32_t u, std::uint32_t v)
     return {std::min(u, v), std::max(u, v)};
 }
 
+/// Whether a face goes from the edge's first corner to its second.
+bool goes_along(const std::array<std::uint32_t, 3>& face, const OracleEdge& edge)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        if (face[i] == edge[0]) return face[(i + 1) % 3] == edge[1];
+    return false;
+}
+
 /// To the precision of a long double.
 Wide wide(const mpq_class& number)
 {
@@ -76,7 +84,7 @@ struct SilhouetteOracle::Eye {
 
 SilhouetteOracle::SilhouetteOracle(std::span<const glm::vec3> positions,
                                    std::span<const std::array<std::uint32_t, 3>> faces, Arithmetic arithmetic,
-                                   std::span<const OraclePlane> given)
+                                   std::span<const OraclePlane> given, Winding winding)
     : positions_(positions), faces_(faces), arithmetic_(arithmetic), is_closed_(positions.size(), true)
 {
     std::map<OracleEdge, std::vector<std::uint32_t>> faces_at;
@@ -85,7 +93,10 @@ SilhouetteOracle::SilhouetteOracle(std::span<const glm::vec3> positions,
     }
     edge_count_ = faces_at.size();
     for (const auto& [edge, list] : faces_at) {
-        if (list.size() == 2) pairs_.push_back({edge, list[0], list[1]});
+        if (list.size() == 2)
+            pairs_.push_back({edge, list[0], list[1],
+                              winding == Winding::says_nothing &&
+                                  goes_along(faces[list[0]], edge) == goes_along(faces[list[1]], edge)});
         if (list.size() != 2) is_closed_[edge[0]] = is_closed_[edge[1]] = false;
     }
     std::map<std::uint32_t, std::uint32_t> beyond_longest;
@@ -187,12 +198,13 @@ std::vector<OracleEdge> SilhouetteOracle::silhouettes_in_world(const glm::dvec3&
 
 std::vector<OracleEdge> SilhouetteOracle::silhouettes_from(const Eye& eye) const
 {
-    std::vector<bool> is_front(faces_.size());
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) is_front[f] = sign(f, eye) > 0;
-    for (const auto& [face, source] : inherits_) is_front[face] = source < faces_.size() && is_front[source];
+    std::vector<signed char> side(faces_.size());
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) side[f] = static_cast<signed char>(sign(f, eye));
+    for (const auto& [face, source] : inherits_) side[face] = source < faces_.size() ? side[source] : 0;
     std::vector<OracleEdge> found;
     for (const Pair& pair : pairs_) {
-        if (is_front[pair.face_a] != is_front[pair.face_b]) found.push_back(pair.edge);
+        const int side_b = pair.is_turned ? -side[pair.face_b] : side[pair.face_b];
+        if ((side[pair.face_a] > 0) != (side_b > 0)) found.push_back(pair.edge);
     }
     return found;
 }

@@ -31,13 +31,18 @@ struct OraclePlane {
 class SilhouetteOracle {
  public:
     enum class Arithmetic : unsigned char { filtered, rational_only };
+    /// What the order of a face's corners says: its front, or nothing.
+    enum class Winding : unsigned char { says_front, says_nothing };
 
     /// `filtered` computes with GMP only those signs that long doubles leave open. `given`: faces that have no plane of
     /// their own by definition (needles, caps), which is not for arithmetic to decide.
     SilhouetteOracle(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> faces,
-                     Arithmetic arithmetic = Arithmetic::filtered, std::span<const OraclePlane> given = {});
+                     Arithmetic arithmetic = Arithmetic::filtered, std::span<const OraclePlane> given = {},
+                     Winding winding = Winding::says_front);
 
-    /// Edges of exactly two faces that differ in facing, sorted. `w` is 1 for an eye, 0 for a direction to the viewer.
+    /// Edges of exactly two faces that differ in facing, sorted. Where winding says nothing, of two faces that go along
+    /// their edge in the same direction one is turned over first: a silhouette is an edge whose faces lie on the same
+    /// side of it in the picture. `w` is 1 for an eye, 0 for a direction to the viewer.
     /// A face whose plane contains the eye is back-facing; a collinear face has the facing of the neighbour across its
     /// longest edge, if that edge has exactly two faces, else it is back-facing.
     std::vector<OracleEdge> silhouettes(const glm::dvec3& eye, double w = 1.0) const;
@@ -57,6 +62,7 @@ class SilhouetteOracle {
         OracleEdge edge;
         std::uint32_t face_a;
         std::uint32_t face_b;
+        bool is_turned = false;  ///< B counts as turned over.
     };
 
     struct Eye;

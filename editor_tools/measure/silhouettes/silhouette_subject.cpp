@@ -80,6 +80,25 @@ Surface in_model_order(const Surface& surface)
     return plain;
 }
 
+/// The file's triangles need no winding. Which faces of the surface take the plane of another, the engine says.
+void add_oracles(SilhouetteSubject& subject)
+{
+    using Arithmetic = SilhouetteOracle::Arithmetic;
+    const Surface& surface = subject.surface;
+    subject.file_oracle =
+        std::make_unique<SilhouetteOracle>(subject.file->positions(), subject.file->faces(), Arithmetic::filtered,
+                                           std::span<const OraclePlane>(), SilhouetteOracle::Winding::says_nothing);
+    std::vector<OraclePlane> given;
+    std::vector<bool> is_own(surface.faces.size(), true);
+    for (const auto& [face, plane_of] : surface.filter.inherited) {
+        given.push_back({face, plane_of});
+        is_own[face] = false;
+    }
+    subject.surface_oracle =
+        std::make_unique<SilhouetteOracle>(surface.positions, surface.faces, Arithmetic::filtered, given);
+    subject.changed = subject.file->changed_edges(surface.positions, surface.faces, is_own);
+}
+
 /// The views, and what both oracles see from them.
 void add_views(SilhouetteSubject& subject, const SilhouettePlacement& placement, const SilhouetteViews& wanted)
 {
@@ -121,11 +140,7 @@ std::optional<SilhouetteSubject> silhouette_subject(MeshData mesh, const Silhoue
     subject.cluster_s = seconds_since(cluster_start);
     subject.half_edges = std::make_unique<HalfEdgeMesh>(in_model_order(subject.surface));
     subject.file = std::make_unique<FileTriangles>(mesh);
-    subject.file_oracle = std::make_unique<SilhouetteOracle>(subject.file->positions(), subject.file->faces());
-    std::vector<OraclePlane> given;
-    for (const auto& [face, plane_of] : subject.surface.filter.inherited) given.push_back({face, plane_of});
-    subject.surface_oracle = std::make_unique<SilhouetteOracle>(subject.surface.positions, subject.surface.faces,
-                                                                SilhouetteOracle::Arithmetic::filtered, given);
+    add_oracles(subject);
     add_views(subject, placement, views);
     return subject;
 }

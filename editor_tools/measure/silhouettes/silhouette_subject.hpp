@@ -35,6 +35,7 @@ struct SilhouetteSubject {
     std::unique_ptr<SilhouetteOracle> surface_oracle;  ///< Of the welded and repaired surface.
     std::vector<Viewpoint> views;                      ///< In object space, as a frame gets them.
     std::vector<std::vector<OracleEdge>> of_file;      ///< For each view, of the file's positions.
+    std::vector<OracleEdge> changed;                   ///< Of the file's positions: edges that repair changed.
     std::vector<std::vector<OracleEdge>> of_surface;   ///< For each view, of the surface's positions.
     double preprocess_s = 0.0;                         ///< Without clusters.
     double cluster_s = 0.0;

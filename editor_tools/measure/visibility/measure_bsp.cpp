@@ -4,12 +4,13 @@
 
 #include <chrono>
 
+#include "hatchway/core/error.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/geometry/mesh_chunks.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/world/visibility/visibility.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/visibility/bsp_measure.hpp"
 #include "program/arguments.hpp"
@@ -22,7 +23,7 @@ namespace {
 struct BspMeasureArguments {
     std::vector<std::filesystem::path> files;
     std::uint64_t points = 1'000'000;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
@@ -36,6 +37,8 @@ JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
     double area_m2 = 0.0;
     const BspBuild build = build_sight_tree(scene, level, {}, stats, area_m2);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (stats.structure_polygons + stats.detail_polygons == 0)
+        throw Error({.what = "has no polygon that hides anything", .file = file.string(), .expected = "opaque faces"});
     JsonValue row = JsonValue::object();
     row.set("file", file.filename().string()).set("seconds", seconds);
     row.set("polygons", stats.structure_polygons + stats.detail_polygons).set("pieces", build.piece_count);
@@ -47,12 +50,12 @@ JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
 
 void measure_bsp(const BspMeasureArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, arguments.files);
+    require_outputs({arguments.result.output()}, arguments.files);
     JsonValue rows = JsonValue::array();
     for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments.points));
     JsonValue json = JsonValue::object();
     json.set("measure", "bsp").set("rows", std::move(rows));
-    if (!arguments.json.empty()) write_json(arguments.json, json);
+    arguments.result.write(json);
     print_lines(json.text());
 }
 
@@ -65,7 +68,7 @@ void add_measure_bsp(CommandLine measure)
         measure.add_subcommand("bsp", "Seconds, pieces, misclassified points and area error of the BSP");
     command.add_option("files", arguments->files, "Levels or models").required();
     command.add_option("--points", arguments->points, "Points to classify").check(whole_number_in(1, 1'000'000'000));
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_bsp(*arguments); });
 }
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "hatchway/core/error.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/io/compiled/portal_file.hpp"
-#include "hatchway/io/json/out.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/visibility/naive_flow.hpp"
 #include "program/arguments.hpp"
@@ -25,7 +26,7 @@ struct PortalsMeasureArguments {
     std::vector<std::filesystem::path> files;
     int leaves = 0;
     int threads = 1;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 template <typename Work>
@@ -62,6 +63,8 @@ int shown_only_by(const LeafRows& rows, const LeafRows& others, const std::vecto
 JsonValue measure_file(const std::filesystem::path& file, const PortalsMeasureArguments& arguments)
 {
     const PortalGraph graph = read_portal_file(file).graph;
+    if (graph.portals.empty())
+        throw Error({.what = "has no portals", .file = file.string(), .expected = "leaves that see each other"});
     const bool is_sample = arguments.leaves > 0 && arguments.leaves < graph.leaf_count;
     const std::vector<int> leaves = even_sample(graph.leaf_count, is_sample ? arguments.leaves : graph.leaf_count);
     PvsResult ours;
@@ -87,10 +90,10 @@ JsonValue measure_file(const std::filesystem::path& file, const PortalsMeasureAr
 
 void measure_portals(const PortalsMeasureArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, arguments.files);
+    require_outputs({arguments.result.output()}, arguments.files);
     JsonValue rows = JsonValue::array();
     for (const auto& file : arguments.files) rows.push(measure_file(file, arguments));
-    if (!arguments.json.empty()) write_json(arguments.json, JsonValue::object().set("rows", std::move(rows)));
+    arguments.result.write(JsonValue::object().set("rows", std::move(rows)));
 }
 
 }  // namespace
@@ -108,7 +111,7 @@ void add_measure_portals(CommandLine measure)
         .check(whole_number_in(1, 1'000'000));
     command.add_option("-j,--threads", arguments->threads, "Threads of our flow, the naive one has one; 1")
         .check(whole_number_in(0, 1024));
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_portals(*arguments); });
 }
 

@@ -2,12 +2,14 @@
 // hides that a ray sees: that must be nothing.
 #include <fmt/format.h>
 
+#include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/stage/level_world.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/no_value.hpp"
 #include "measure/visibility/pvs_measure.hpp"
 #include "measure/visibility/slit_scenes.hpp"
 #include "program/arguments.hpp"
@@ -22,7 +24,7 @@ struct PvsMeasureArguments {
     std::uint64_t rays = 10'000'000;
     std::vector<std::string> efforts{"fast", "full"};
     int threads = 0;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 std::uint64_t bytes_of(const Visibility& visibility)
@@ -31,6 +33,14 @@ std::uint64_t bytes_of(const Visibility& visibility)
         return rows.leaf_count() == 0 ? 0 : static_cast<std::uint64_t>(rows.leaf_count()) * rows.row(0).size_bytes();
     };
     return bytes(visibility.rows) + bytes(visibility.slot_rows);
+}
+
+/// How much more the rows show than rays met. Of few cells that is chance, and rows that hide nothing are no estimate.
+double over_estimate(const measure::PvsRayResult& rays)
+{
+    constexpr int kFewCells = 30;
+    if (rays.clusters < kFewCells || rays.row_share >= 1.0) return measure::kNoValue;
+    return measure::share_of(rays.row_share, rays.sampled_share);
 }
 
 JsonValue row_json(const std::string& file, const std::string& effort, const Visibility& visibility,
@@ -43,10 +53,8 @@ JsonValue row_json(const std::string& file, const std::string& effort, const Vis
     row.set("coarse_portals", stats.coarse_portals).set("average_visible_share", stats.average_visible_share);
     row.set("rays", rays.rays).set("hits", rays.hits).set("claims", rays.claims);
     row.set("false_invisibles", rays.false_invisibles);
-    row.set("sampled_clusters", rays.clusters)
-        .set("row_share", rays.row_share)
-        .set("sampled_share", rays.sampled_share);
-    row.set("over_estimate", rays.sampled_share > 0.0 ? rays.row_share / rays.sampled_share : 1.0);
+    row.set("sampled_clusters", rays.clusters).set("row_share", rays.row_share);
+    row.set("sampled_share", rays.sampled_share).set("over_estimate", over_estimate(rays));
     row.set("bytes", bytes_of(visibility));
     return row;
 }
@@ -62,8 +70,13 @@ void measure_file(const std::filesystem::path& file, const PvsMeasureArguments& 
         options.effort = pvs_effort(effort);
         options.threads = arguments.threads;
         const Visibility visibility = build_visibility(scene, level, chunks, options);
+        if (visibility.stats.structure_polygons + visibility.stats.detail_polygons == 0)
+            throw Error(
+                {.what = "has no polygon that hides anything", .file = file.string(), .expected = "opaque faces"});
         const auto rays =
             measure::measure_pvs(scene, chunks, visibility, {.rays = arguments.rays, .threads = arguments.threads});
+        if (rays.hits == 0)
+            throw Error({.what = "no ray met anything", .file = file.string(), .expected = "opaque faces to be seen"});
         rows.push(row_json(file.filename().string(), effort, visibility, rays));
     }
 }
@@ -101,13 +114,13 @@ JsonValue measure_slits(const PvsMeasureArguments& arguments)
 
 void measure_pvs_command(const PvsMeasureArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, arguments.files);
+    require_outputs({arguments.result.output()}, arguments.files);
     JsonValue slits = measure_slits(arguments);
     JsonValue rows = JsonValue::array();
     for (const std::filesystem::path& file : arguments.files) measure_file(file, arguments, rows);
     JsonValue json = JsonValue::object();
     json.set("measure", "pvs").set("rows", std::move(rows)).set("slits", std::move(slits));
-    if (!arguments.json.empty()) write_json(arguments.json, json);
+    arguments.result.write(json);
     print_lines(json.text());
 }
 
@@ -122,7 +135,7 @@ void add_measure_pvs(CommandLine measure)
     command.add_option("--rays", arguments->rays, "Rays for each effort").check(whole_number_in(1, 1'000'000'000));
     command.add_option("--pvs", arguments->efforts, "Efforts to measure").check(one_of(kPvsEfforts)).delimiter(',');
     command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_pvs_command(*arguments); });
 }
 

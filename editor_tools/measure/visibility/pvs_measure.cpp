@@ -31,13 +31,18 @@ class Dice {
         return {r * std::cos(turn), z, r * std::sin(turn)};
     }
     glm::dvec3 in_box(const Box& box) { return box.min + box.size() * glm::dvec3(share(), share(), share()); }
-    glm::dvec3 near_triangle(const SightTriangle& triangle, double reach)
+    glm::dvec3 on_triangle(const SightTriangle& triangle)
     {
         double u = share(), v = share();
         if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+        return triangle.a + u * (triangle.b - triangle.a) + v * (triangle.c - triangle.a);
+    }
+    glm::dvec3 near_triangle(const SightTriangle& triangle, double reach)
+    {
+        const glm::dvec3 place = on_triangle(triangle);
         const glm::dvec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
         const double height = reach * std::pow(share(), 3.0);
-        return triangle.a + u * (triangle.b - triangle.a) + v * (triangle.c - triangle.a) + (height + 1e-4) * normal;
+        return place + (height + 1e-4) * normal;
     }
 
  private:
@@ -50,30 +55,30 @@ struct ClusterTruth {
     std::vector<std::uint8_t> met;  ///< By slot.
 };
 
-double share_of(const std::vector<std::uint8_t>& slots, const std::vector<double>& triangles_of_slot)
+double triangle_share(const std::vector<std::uint8_t>& slots, const std::vector<double>& triangles_of_slot)
 {
     double seen = 0.0, total = 0.0;
     for (std::size_t i = 0; i < triangles_of_slot.size(); ++i) {
         total += triangles_of_slot[i];
         if (i < slots.size() && slots[i]) seen += triangles_of_slot[i];
     }
-    return total > 0.0 ? seen / total : 1.0;
+    return share_of(seen, total);
 }
 
 void compare_shares(const Visibility& visibility, const std::map<int, ClusterTruth>& truths,
                     const std::vector<double>& triangles_of_slot, PvsRayResult& result)
 {
+    double rows = 0.0, met = 0.0;
     for (const auto& [cluster, truth] : truths) {
         if (truth.rays < kEnoughRays) continue;
         std::vector<std::uint8_t> row(triangles_of_slot.size());
         visit_bits(visibility.slot_rows.row(cluster), [&](int slot) { row[static_cast<std::size_t>(slot)] = 1; });
         ++result.clusters;
-        result.row_share += share_of(row, triangles_of_slot);
-        result.sampled_share += share_of(truth.met, triangles_of_slot);
+        rows += triangle_share(row, triangles_of_slot);
+        met += triangle_share(truth.met, triangles_of_slot);
     }
-    if (result.clusters == 0) return;
-    result.row_share /= result.clusters;
-    result.sampled_share /= result.clusters;
+    result.row_share = share_of(rows, result.clusters);
+    result.sampled_share = share_of(met, result.clusters);
 }
 
 /// What a batch of rays, or of batches, has found.
@@ -137,7 +142,7 @@ class Shooter {
         ClusterTruth& truth = tally.truths[cluster];
         truth.met.resize(visibility_.slots.size());
         for (int ray = 0; ray < kRaysPerPlace; ++ray) {
-            const glm::dvec3 direction = dice.direction();
+            const glm::dvec3 direction = ray % 2 == 0 ? dice.direction() : at_hidden(eye, is_visible, dice);
             rays_.trace(eye, direction, met);
             ++tally.result.rays;
             ++truth.rays;
@@ -148,6 +153,19 @@ class Shooter {
                 if (!is_visible[slot]) judge({eye, direction, slot}, number, tally.result);
             }
         }
+    }
+
+    /// At a triangle that the rows hide; anywhere when none was drawn by lot.
+    glm::dvec3 at_hidden(const glm::dvec3& eye, const std::vector<std::uint8_t>& is_visible, Dice& dice) const
+    {
+        constexpr int kDraws = 16;
+        for (int draw = 0; draw < kDraws; ++draw) {
+            const SightTriangle& triangle = triangles_[dice.below(triangles_.size())];
+            if (is_visible[triangle.slot]) continue;
+            const glm::dvec3 way = dice.on_triangle(triangle) - eye;
+            if (glm::dot(way, way) > 0.0) return glm::normalize(way);
+        }
+        return dice.direction();
     }
 
     void judge(const FalseInvisible& claim, std::uint32_t triangle, PvsRayResult& result) const

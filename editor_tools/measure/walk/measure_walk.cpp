@@ -7,11 +7,11 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
-#include "hatchway/io/json/out.hpp"
 #include "hatchway/io/level/file.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "hatchway/walk/walk_styles.hpp"
 #include "hatchway/world/looks.hpp"
+#include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/walk/walk_fuzz.hpp"
 #include "program/arguments.hpp"
@@ -30,7 +30,7 @@ struct WalkMeasureArguments {
     std::vector<std::filesystem::path> files;
     std::uint64_t inputs = measure::WalkFuzzOptions{}.inputs;
     std::uint32_t threads = 0;
-    std::filesystem::path json;
+    MeasureResult result;
 };
 
 /// The level's start, cameras and path keys, then places all over the scene: those where a walker stands.
@@ -107,7 +107,7 @@ JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArgum
 
 void measure_walk(const WalkMeasureArguments& arguments)
 {
-    require_outputs({{"--json", arguments.json}}, arguments.files);
+    require_outputs({arguments.result.output()}, arguments.files);
     print_lines(
         fmt::format("{:<26}{:>9}{:>9}{:>9}{:>8}{:>7}{:>7}{:>8}{:>10}{:>7}{:>7}{:>7}{:>7}{:>7}\n", "scene", "inputs",
                     "frames", "seconds", "cells", "put", "lost", "pene-", "worst m", "walls", "floors", "thrown",
@@ -118,7 +118,7 @@ void measure_walk(const WalkMeasureArguments& arguments)
     JsonValue json = JsonValue::object();
     json.set("measure", "walk").set("tolerance_m", measure::WalkFuzzOptions{}.tolerance_m);
     json.set("rows", std::move(rows));
-    if (!arguments.json.empty()) write_json(arguments.json, json);
+    arguments.result.write(json);
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ void add_measure_walk(CommandLine measure)
     command.add_option("--inputs", arguments->inputs, "Random inputs in each scene, held for 1 to 4 frames")
         .check(whole_number_in(1, 1'000'000'000));
     command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
-    add_json_argument(command, arguments->json);
+    arguments->result.add_to(command);
     command.callback([arguments] { measure_walk(*arguments); });
 }
 

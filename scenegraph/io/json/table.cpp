@@ -41,8 +41,7 @@ JsonTable read_json_table(const std::filesystem::path& file, const std::string& 
                      .file = file.string(),
                      .expected = "an object with a list \"" + rows + "\""});
     JsonTable table;
-    for (const auto& [key, value] : json.items())
-        if (!value.is_structured()) add_cells(ordered_json{{key, value}}, "", table.facts, nullptr);
+    add_cells(json, "", table.facts, nullptr);
     for (const ordered_json& row : json[rows]) {
         table.rows.emplace_back();
         if (row.is_object()) add_cells(row, "", table.rows.back(), &table.columns);

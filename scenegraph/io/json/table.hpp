@@ -14,7 +14,7 @@ using JsonCell = std::variant<std::monostate, bool, double, std::string>;
 /// A machine-readable result as a table. Members of nested objects are columns "outer.inner"; arrays inside of a row
 /// are left out.
 struct JsonTable {
-    std::map<std::string, JsonCell> facts;              ///< The plain members beside the rows.
+    std::map<std::string, JsonCell> facts;              ///< The members beside the rows.
     std::vector<std::string> columns;                   ///< In the order of their first appearance.
     std::vector<std::map<std::string, JsonCell>> rows;  ///< The elements of the list.
 };

@@ -1,0 +1,21 @@
+# cmake -D SOURCE=folder -D HEADER=file -P commit.cmake: writes the header with HATCHWAY_COMMIT, the commit that the sources are
+# at, "changed" where they differ from it (documents aside). A header that already says so is left alone.
+set(git git --no-optional-locks -C "${SOURCE}")
+execute_process(COMMAND ${git} rev-parse --show-prefix OUTPUT_VARIABLE prefix RESULT_VARIABLE failed ERROR_QUIET
+                OUTPUT_STRIP_TRAILING_WHITESPACE)
+set(commit "unknown commit")
+if(NOT failed AND prefix STREQUAL "")
+    execute_process(COMMAND ${git} rev-parse --short=10 HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE)
+    execute_process(COMMAND ${git} status --porcelain -- . ":!docs" OUTPUT_VARIABLE changes)
+    if(NOT changes STREQUAL "")
+        string(APPEND commit ", changed")
+    endif()
+endif()
+set(text "#pragma once\n#define HATCHWAY_COMMIT \"${commit}\"\n")
+set(old "")
+if(EXISTS "${HEADER}")
+    file(READ "${HEADER}" old)
+endif()
+if(NOT text STREQUAL old)
+    file(WRITE "${HEADER}" "${text}")
+endif()
