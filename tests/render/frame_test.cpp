@@ -228,6 +228,7 @@ TEST_F(frame, the_shadow_map_is_drawn_once_and_shades_what_the_light_does_not_re
     EXPECT_EQ(pixels.at(40, 160)[0], 255) << "beside it";
     draw(view_from({0, 3, 5}, {0, 0, 0}));
     EXPECT_EQ(stats_.shadow_maps_drawn, 1);
+    load(style);
     draw(view, {.is_rehearsal = true});
     EXPECT_EQ(count_unlike(draw(view), pixels), 0) << "what a rehearsal draws in the small is drawn anew";
 }

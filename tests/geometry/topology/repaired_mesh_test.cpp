@@ -396,14 +396,21 @@ TEST(pinholes, several_of_one_shell_are_closed_and_holes_that_can_be_seen_stay)
 
 TEST(pinholes, right_at_a_border_are_closed_and_the_border_stays)
 {
-    // A square whose lower side has a corner in its middle, and there begins a hole of three corners.
-    const float w = 1e-6f;
-    const hw::MeshData at_corner =
-        mesh_of({{-1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {-1, 2, 0}, {0, 0, 0}, {w, 2 * w, 0}, {-w, 2 * w, 0}},
-                {0, 4, 6, 0, 6, 3, 6, 5, 2, 6, 2, 3, 4, 1, 5, 5, 1, 2});
-    const hw::Surface surface = hw::build_surface(at_corner);
-    EXPECT_EQ(surface.report.pinholes, 1u);
-    EXPECT_EQ(surface.report.border_edges, 5u);
+    // A square whose lower side has a corner in its middle, and there begins a hole of three corners: small, or a
+    // kilometre away as wide as the step from float to float.
+    for (const auto& [x, w] : {std::pair{0.0f, 1e-6f}, {1000.0f, 0x1p-14f}}) {
+        const hw::MeshData at_corner = mesh_of({{x - 1, 0, 0},
+                                                {x + 1, 0, 0},
+                                                {x + 1, 2, 0},
+                                                {x - 1, 2, 0},
+                                                {x, 0, 0},
+                                                {x + w, 2 * w, 0},
+                                                {x - w, 2 * w, 0}},
+                                               {0, 4, 6, 0, 6, 3, 6, 5, 2, 6, 2, 3, 4, 1, 5, 5, 1, 2});
+        const hw::Surface surface = hw::build_surface(at_corner);
+        EXPECT_EQ(surface.report.pinholes, 1u) << x;
+        EXPECT_EQ(surface.report.border_edges, 5u) << x;
+    }
     // One ring below the rim of a cup.
     const std::uint32_t rim = hw::build_surface(cup()).report.border_edges;
     std::uint32_t below = 0;

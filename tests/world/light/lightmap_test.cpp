@@ -428,6 +428,7 @@ TEST(baked_light, a_closed_box_around_something_that_shines_is_a_room)
     BoxOutside level;
     const int glowing = add_material(level.scene, 0.5f, 1.0f);
     level.sources.emission_luminance = 1000.0f;
+    level.scene.materials[glowing].is_double_sided = true;
     const ObjectId bulb = add_box(level.scene, glowing, {{-0.2, 1.8, -0.2}, {0.2, 2.2, 0.2}});
     const std::vector<bool> open = find_open_backs(level.scene);
     EXPECT_TRUE(open[level.box]);
