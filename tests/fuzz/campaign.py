@@ -1,0 +1,73 @@
+"""Fuzzes for long with all fuzzers of a build of libFuzzer, at idle priority, and adds what it took to a JSON file.
+
+    cmake --preset fuzz && cmake --build --preset fuzz
+    python3 tests/fuzz/campaign.py build/fuzz docs/report/results/fuzz.json --turn-s 120 --rounds 30
+
+Each fuzzer runs as its test does, but for the time: with its corpus, its words and its limits. What fails is kept in found/ of the build
+folder. An end that is no success counts as a fault, until somebody has looked at it.
+"""
+import argparse
+import json
+import os
+import re
+import subprocess
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+
+def fuzzers(build):
+    """Command lines by name, as ctest has them."""
+    listed = subprocess.run(["ctest", "--test-dir", build, "-L", "^fuzz$", "--show-only=json-v1"], check=True, capture_output=True)
+    return {test["name"].removeprefix("fuzz."): test["command"] for test in json.loads(listed.stdout)["tests"]}
+
+
+def turn(command, seconds, found):
+    """What one turn of a fuzzer took."""
+    # Wall clock says little at idle priority, so a limit of time per input would find slow machines.
+    command = ["chrt", "-i", "0", *command, f"-max_total_time={seconds}", "-timeout=600", f"-artifact_prefix={found}"]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, errors="replace")
+    text = process.stderr.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    executions = re.findall(r"stat::number_of_executed_units: *(\d+)", text)
+    edges = re.findall(r"cov: (\d+)", text)
+    return {"executions": int(executions[-1]) if executions else 0, "cpu_s": usage.ru_utime + usage.ru_stime,
+            "faults": int(status != 0), "edges": int(edges[-1]) if edges else 0}
+
+
+def add(rows, name, took):
+    row = next((row for row in rows if row["file"] == name), None)
+    if row is None:
+        row = {"file": name, "executions": 0, "cpu_s": 0.0, "faults": 0, "edges": 0}
+        rows.append(row)
+    for key in ("executions", "cpu_s", "faults"):
+        row[key] = row[key] + took[key]
+    row["edges"] = max(row["edges"], took["edges"])
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("build")
+    arguments.add_argument("json", type=Path)
+    arguments.add_argument("--turn-s", type=int, default=120)
+    arguments.add_argument("--rounds", type=int, default=1)
+    options = arguments.parse_args()
+    found = Path(options.build).resolve() / "found"
+    found.mkdir(exist_ok=True)
+    rows = json.loads(options.json.read_text())["rows"] if options.json.exists() else []
+    lock = threading.Lock()
+
+    def run(named):
+        name, command = named
+        took = turn(command, options.turn_s, f"{found}/{name}-")
+        with lock:
+            add(rows, name, took)
+            totals = {key: sum(row[key] for row in rows) for key in ("executions", "cpu_s", "faults")}
+            options.json.write_text(json.dumps({"measure": "fuzz", **totals, "rows": rows}, indent=2) + "\n")
+
+    with ThreadPoolExecutor(max_workers=2) as two:
+        list(two.map(run, list(fuzzers(options.build).items()) * options.rounds))
+
+
+if __name__ == "__main__":
+    main()
