@@ -12,8 +12,10 @@ void hw::fuzz::try_bytes(std::string_view bytes)
     std::vector<std::byte> file(changed.begin(), changed.end());
     signature.renew(file);
     const CompiledLevel level = rooms.read(file);
-    for (const double x : {-8.0, 0.0, 8.0, 100.0}) {
-        test::seen_from(level.visibility, {x, 0, 0});
-        visible_leaf_count(level.visibility, {x, 0, 0}, 0.1);
+    for (double x = -9.5; x < 12.0; x += 1.5) {
+        for (const double z : {-4.0, 0.0, 4.0}) {
+            test::seen_from(level.visibility, {x, 0, z});
+            visible_leaf_count(level.visibility, {x, 0, z}, 0.1);
+        }
     }
 }

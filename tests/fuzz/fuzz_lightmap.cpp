@@ -10,7 +10,7 @@ namespace {
 std::string unsigned_bytes(const hw::Scene& scene)
 {
     const hw::LightSources sources{.sky_luminance = glm::vec3(1000.0f)};
-    const auto bytes = hw::lightmap_bytes(hw::bake_lightmap(scene, sources, {.luxels_per_m = 0.1, .samples = 1}));
+    const auto bytes = hw::lightmap_bytes(hw::bake_lightmap(scene, sources, {.luxels_per_m = 0.5, .samples = 1}));
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size() - sizeof(std::uint64_t)};
 }
 
