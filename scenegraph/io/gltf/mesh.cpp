@@ -205,6 +205,24 @@ std::string PrimitiveId::pointer() const
     return pointer_to(pointer_to("/meshes", mesh) + "/primitives", primitive);
 }
 
+namespace {
+
+/// Primitives that share accessors, and accessors of zeroes, unpack a few bytes to any number of vertices: what a small
+/// file may unpack to is bounded, too. A strip of bytes has three vertices for each.
+void count_unpacked(const GltfModel& model, std::uint64_t vertices, const std::string& pointer, ImportTotals& totals)
+{
+    constexpr double kFree = 8e6, kMostOfByte = 4.0;
+    std::uint64_t bytes = 0;
+    for (const tinygltf::Buffer& buffer : model.data.buffers) bytes += buffer.data.size();
+    const double most = Budget::factor() * (kFree + kMostOfByte * static_cast<double>(bytes));
+    totals.unpacked_vertices += vertices;
+    if (static_cast<double>(totals.unpacked_vertices) > most)
+        model.refuse(pointer, fmt::format("{} bytes unpack to {} vertices and more", bytes, totals.unpacked_vertices),
+                     fmt::format("at most {:.0f} of so few; --budget-factor 2 doubles it", most));
+}
+
+}  // namespace
+
 std::optional<MeshData> convert_primitive(const GltfModel& model, const PrimitiveId& id, ImportTotals& totals)
 {
     const PrimitiveReader source(model, id);
@@ -218,7 +236,9 @@ std::optional<MeshData> convert_primitive(const GltfModel& model, const Primitiv
     const std::vector<std::uint32_t> used = drop_unused_vertices(mesh.indices);
     const bool is_unshared = source.find("NORMAL") == kNone;
     totals.budget.spend(Cost::triangles, mesh.triangle_count(), model.file, source.pointer());
-    totals.budget.spend(Cost::vertices, is_unshared ? mesh.indices.size() : used.size(), model.file, source.pointer());
+    const std::uint64_t vertices = is_unshared ? mesh.indices.size() : used.size();
+    totals.budget.spend(Cost::vertices, vertices, model.file, source.pointer());
+    count_unpacked(model, vertices, source.pointer(), totals);
     read_streams(model, source, used, mesh);
     if (is_unshared) add_flat_normals(mesh);
     return mesh;

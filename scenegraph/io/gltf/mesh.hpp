@@ -14,6 +14,7 @@ namespace hw {
 /// What an import may still store, and what it skipped so far. Private to io.
 struct ImportTotals {
     Budget& budget;
+    std::uint64_t unpacked_vertices = 0;   ///< As stored in the scene.
     std::uint64_t skipped_primitives = 0;  ///< Lines and points.
     std::uint64_t bent_primitives = 0;     ///< With morph targets, shown in their base shape.
 };

@@ -111,6 +111,17 @@ TEST(gltf_malformed, huge_counts_are_refused_before_anything_is_allocated)
     EXPECT_EQ(error_of_text(builder.json.dump()).pointer, "/buffers/0/byteLength");
 }
 
+TEST(gltf_malformed, primitives_that_unpack_a_few_bytes_to_millions_of_vertices_are_refused)
+{
+    ModelBuilder builder;
+    const int zeroes = builder.push("accessors", {{"componentType", 5126}, {"type", "VEC3"}, {"count", 1'000'000}});
+    for (int i = 0; i < 9; ++i) builder.add_object({{"POSITION", zeroes}});
+    const hw::ErrorParts parts = error_of_model(builder);
+    EXPECT_EQ(parts.pointer, "/meshes/8/primitives/0");
+    EXPECT_THAT(parts.what, testing::HasSubstr("0 bytes unpack to"));
+    EXPECT_THAT(parts.expected, testing::HasSubstr("--budget-factor"));
+}
+
 TEST(gltf_malformed, an_index_beyond_the_vertices_is_refused)
 {
     ModelBuilder builder;
