@@ -204,6 +204,11 @@ void Renderer::present(const Overlay& overlay, float px_scale)
     const glm::ivec2 size_px = state_->device.context.framebuffer_size_px();
     if (size_px.x <= 0 || size_px.y <= 0) return;
     state_->device.state.forget();
+    if (state_->picture.is_empty()) {
+        const GpuTarget& paper = state_->target_of(size_px, 1);
+        paper.bind();
+        paper.clear(glm::vec4(1.0f));
+    }
     state_->picture.show_in_window(size_px);
     bind_window(size_px);
     state_->device.state.set_srgb_targets(false);

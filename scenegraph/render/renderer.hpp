@@ -48,9 +48,9 @@ class Renderer {
 
     /// The last picture, RGB, sRGB, top row first.
     Pixels read_picture();
-    /// Shows the last picture in the context's window, scaled to fit, and over it words in the window's own pixels:
-    /// they stay sharp where the picture is drawn smaller, and are no part of it. `px_scale`: device pixels for a
-    /// logical one.
+    /// Shows the last picture, or white paper where there is none, in the context's window, scaled to fit, and over it
+    /// words in the window's own pixels: they stay sharp where the picture is drawn smaller, and are no part of it.
+    /// `px_scale`: device pixels for a logical one.
     void present(const Overlay& overlay = {}, float px_scale = 1.0f);
 
  private:

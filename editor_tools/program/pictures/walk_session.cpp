@@ -49,6 +49,15 @@ Camera start_camera(const Level& level, const Scene& scene, double aspect)
         .name = "overview", .eye_world = place.eye_world, .target_world = place.target_world, .fov_deg = place.fov_deg};
 }
 
+/// On white paper, before there is a picture: opening a level may take seconds.
+void show_opening(Window& window, const std::filesystem::path& file)
+{
+    window.set_title(file.filename().string() + " - Hatchway");
+    Renderer(window).present({.texts = {{.text = "Opening " + file.filename().string()}}}, window.content_scale());
+    window.swap();
+    window.poll();
+}
+
 bool wants_to_move(const PlayerInput& input)
 {
     return input.forward != 0.0 || input.right != 0.0 || input.up != 0.0 || input.turn_left != 0.0 ||
@@ -70,6 +79,7 @@ WalkSession::WalkSession(Window& window, WalkOptions options) : window_(window),
 {
     const double usual_fps = window.device().is_software ? kSoftwareFps : kDeviceFps;
     goal_.target_fps = options_.target_fps > 0.0 ? options_.target_fps : usual_fps;
+    show_opening(window_, options_.level.file);
     open(stage_options(options_.level, CompiledUse::in_background));
     warn_of_idle_styles(stage_->level(), stage_->scene(), options_.level.styles.size());
     Camera first = start_camera(stage_->level(), stage_->scene(), aspect_of(window));

@@ -1,5 +1,7 @@
 #include "hatchway/geometry/lines/face_tree.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -8,32 +10,45 @@ namespace hw {
 namespace {
 
 constexpr std::uint32_t kLeaf = 8;
+constexpr std::uint32_t kWorthAThread = 10'000;
 constexpr std::size_t kMostOpen = 64;  // the tree halves 2^32 boxes at most 29 times
+
+/// Of a tree of so many boxes.
+std::uint32_t node_count(std::uint32_t boxes)
+{
+    return boxes <= kLeaf ? 1 : 1 + node_count(boxes / 2) + node_count(boxes - boxes / 2);
+}
 
 }  // namespace
 
 FaceTree::FaceTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size())
 {
     std::iota(order_.begin(), order_.end(), 0u);
-    if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()));
+    const auto count = static_cast<std::uint32_t>(boxes_.size());
+    if (count == 0) return;
+    nodes_.resize(node_count(count));
+    build(0, 0, count);
 }
 
-void FaceTree::build(std::uint32_t begin, std::uint32_t end)
+void FaceTree::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end)
 {
-    const std::size_t own = nodes_.size();
-    nodes_.push_back({{}, begin, end, 0});
-    for (std::uint32_t i = begin; i < end; ++i) nodes_[own].box.add(boxes_[order_[i]]);
+    Node& own = nodes_[node];
+    own = {{}, begin, end, 0};
+    for (std::uint32_t i = begin; i < end; ++i) own.box.add(boxes_[order_[i]]);
     if (end - begin <= kLeaf) return;
-    const glm::dvec3 size = nodes_[own].box.size();
+    const glm::dvec3 size = own.box.size();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::uint32_t middle = begin + (end - begin) / 2;
     const auto centre = [&](std::uint32_t i) { return boxes_[i].min[axis] + boxes_[i].max[axis]; };
     std::nth_element(
         order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
         [&](std::uint32_t a, std::uint32_t b) { return centre(a) != centre(b) ? centre(a) < centre(b) : a < b; });
-    build(begin, middle);
-    nodes_[own].second = static_cast<std::uint32_t>(nodes_.size());
-    build(middle, end);
+    own.second = node + 1 + node_count(middle - begin);
+    const auto first_half = [&] { build(node + 1, begin, middle); };
+    const auto second_half = [&] { build(own.second, middle, end); };
+    if (end - begin >= kWorthAThread) return tbb::parallel_invoke(first_half, second_half);
+    first_half();
+    second_half();
 }
 
 void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found, std::size_t most) const

@@ -14,6 +14,8 @@ class FaceTree {
  public:
     explicit FaceTree(std::vector<Box> boxes);
 
+    const std::vector<Box>& boxes() const { return boxes_; }
+
     /// Appends the numbers of the boxes that meet `box`, in no order; about `most` where there are more.
     void find(const Box& box, std::vector<std::uint32_t>& found,
               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
@@ -24,7 +26,7 @@ class FaceTree {
         std::uint32_t begin, end;  ///< Of `order_`.
         std::uint32_t second;      ///< The second child; the first comes next. 0: a leaf.
     };
-    void build(std::uint32_t begin, std::uint32_t end);
+    void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
     std::vector<Box> boxes_;
     std::vector<std::uint32_t> order_;

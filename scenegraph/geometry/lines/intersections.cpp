@@ -1,4 +1,4 @@
-// Faces are paired by sweeping their boxes. Two faces cut each other in a segment whose ends are each an edge of one
+// Faces are paired by trees over their boxes. Two faces cut each other in a segment whose ends are each an edge of one
 // through the other: which edge pierces which face is decided for the edge and the face alone, whatever face of the
 // edge asks, and so neighbours name the same joints. Ties (a vertex in a plane, edges that touch) are decided as if the
 // second object were moved by (e, e^2, e^3) for an e as small as is needed: no tie is left, and all answers fit
@@ -9,9 +9,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "hatchway/core/box.hpp"
@@ -23,10 +25,10 @@ namespace hw {
 namespace {
 
 constexpr double kOnePlace = 1e-12;  // in sizes of the objects: cuts this short have no length
-// Work of all pairs together: so many boxes looked at, or fewer where faces are tested and cut each other.
+// Work of all pairs together: so many boxes found, or fewer where faces ask, are tested and cut each other.
 constexpr std::uint64_t kMostWork = 400'000'000;
-constexpr std::uint64_t kWorkOfTest = 16, kWorkOfCut = 200;
-constexpr std::uint64_t kFacesOfWork = 8;      // faces that are passed over cost less than boxes that are compared
+constexpr std::uint64_t kWorkOfFace = 16, kWorkOfTest = 16, kWorkOfCut = 200;
+constexpr std::size_t kFacesAtOnce = 2048;
 constexpr std::size_t kMostFaces = 8'000'000;  // of all objects; each takes over a hundred bytes
 constexpr std::size_t kPairsAtOnce = 16;
 constexpr double kNearlyCoplanar = 0.01;  // sine of the angle below which faces that touch only graze each other
@@ -35,16 +37,11 @@ constexpr double kNearlyCoplanar = 0.01;  // sine of the angle below which faces
 struct Placed {
     const Surface* surface = nullptr;
     std::vector<glm::dvec3> positions;
-    std::vector<Box> boxes;  ///< Of the faces.
+    std::vector<Box> boxes;         ///< Of the faces, until the tree has them.
+    std::optional<FaceTree> faces;  ///< Where it meets another object or itself.
     Box box;
     std::vector<bool> does_meet_component;  ///< For each component, whether its box meets that of another.
 };
-
-bool do_meet(const Box& a, const Box& b)
-{
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-           b.min.z <= a.max.z;
-}
 
 void find_meeting_components(Placed& object)
 {
@@ -64,7 +61,7 @@ void find_meeting_components(Placed& object)
 
 Placed placed(const LineObject& object)
 {
-    Placed result{object.surface, {}, {}, {}, {}};
+    Placed result{.surface = object.surface};
     for (const glm::vec3& p : object.surface->positions)
         result.positions.emplace_back(object.world_from_object * glm::dvec4(glm::dvec3(p), 1.0));
     for (const auto& face : object.surface->faces) {
@@ -114,67 +111,58 @@ class PairCuts {
 
     std::vector<Cut> run()
     {
-        work_ += (objects_[0]->boxes.size() + objects_[1]->boxes.size()) / kFacesOfWork;
-        std::array<std::vector<std::uint32_t>, 2> faces;
-        for (int side = 0; side < 2; ++side)
-            for (std::uint32_t face = 0; face < objects_[side]->boxes.size(); ++face)
-                if (is_wanted(side, face)) faces[side].push_back(face);
-        sweep(faces[0], faces[1]);
+        std::array<std::vector<std::uint32_t>, 2> near{near_faces(0), is_alone() ? near_faces(0) : near_faces(1)};
+        const int side = near[0].size() <= near[1].size() ? 0 : 1;
+        const std::vector<std::uint32_t>& asking = near[side];
+        std::vector<std::vector<Cut>> parts((asking.size() + kFacesAtOnce - 1) / kFacesAtOnce);
+        tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+            const std::size_t first = i * kFacesAtOnce;
+            parts[i] = cuts_of(side, std::span(asking).subspan(first, std::min(kFacesAtOnce, asking.size() - first)));
+        });
         if (has_given_up()) return {};
-        std::sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) { return a.faces < b.faces; });
-        return std::move(cuts_);
+        std::vector<Cut> cuts;
+        for (const std::vector<Cut>& part : parts) cuts.insert(cuts.end(), part.begin(), part.end());
+        std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.faces < b.faces; });
+        return cuts;
     }
 
  private:
     bool is_alone() const { return objects_[0] == objects_[1]; }
     std::uint32_t component(std::uint32_t face) const { return objects_[0]->surface->face_component[face]; }
+    bool is_real(int side, std::uint32_t face) const { return objects_[side]->surface->face_triangle[face] != kNoFace; }
+    const Box& box(int side, std::uint32_t face) const { return objects_[side]->faces->boxes()[face]; }
 
-    bool is_wanted(int side, std::uint32_t face) const
+    /// The faces of one side that may meet the other: of an object alone those of components that come near another.
+    std::vector<std::uint32_t> near_faces(int side) const
     {
-        if (objects_[side]->surface->face_triangle[face] == kNoFace) return false;
-        if (!is_alone()) return do_meet(objects_[side]->boxes[face], objects_[1 - side]->box);
-        // Only components that come near another.
-        return objects_[0]->does_meet_component[component(face)];
+        std::vector<std::uint32_t> near;
+        objects_[side]->faces->find(objects_[1 - side]->box, near);
+        std::erase_if(near, [&](std::uint32_t face) {
+            return !is_real(side, face) || (is_alone() && !objects_[0]->does_meet_component[component(face)]);
+        });
+        std::sort(near.begin(), near.end());
+        return near;
     }
 
-    int longest_axis() const
+    /// The cuts of some faces of `side` with those of the other that their boxes meet.
+    std::vector<Cut> cuts_of(int side, std::span<const std::uint32_t> faces)
     {
-        const glm::dvec3 size = objects_[0]->box.size() + objects_[1]->box.size();
-        return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    }
-
-    /// Calls test() for all pairs of faces whose boxes meet.
-    void sweep(std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& second)
-    {
-        const int axis = longest_axis();
-        const auto low = [&](int side, std::uint32_t face) { return objects_[side]->boxes[face].min[axis]; };
-        const auto by_low = [&](int side) {
-            return [&low, side](std::uint32_t a, std::uint32_t b) {
-                return low(side, a) != low(side, b) ? low(side, a) < low(side, b) : a < b;
-            };
-        };
-        std::sort(first.begin(), first.end(), by_low(0));
-        std::sort(second.begin(), second.end(), by_low(1));
-        std::array<std::vector<std::uint32_t>, 2> open;
-        std::size_t i = 0, k = 0;
-        while ((i < first.size() || k < second.size()) && !has_given_up()) {
-            const bool is_first = k == second.size() || (i < first.size() && low(0, first[i]) <= low(1, second[k]));
-            const int side = is_first ? 0 : 1;
-            const std::uint32_t face = is_first ? first[i++] : second[k++];
-            const double at = low(side, face);
-            std::erase_if(open[1 - side],
-                          [&](std::uint32_t other) { return objects_[1 - side]->boxes[other].max[axis] < at; });
-            work_ += open[1 - side].size();
-            for (const std::uint32_t other : open[1 - side]) {
-                if (has_given_up()) return;
-                if (!do_meet(objects_[side]->boxes[face], objects_[1 - side]->boxes[other])) continue;
-                if (is_alone() &&
-                    (is_first ? component(face) >= component(other) : component(other) >= component(face)))
-                    continue;
-                is_first ? test(face, other) : test(other, face);
+        std::vector<Cut> cuts;
+        std::vector<std::uint32_t> met;
+        for (const std::uint32_t face : faces) {
+            if (has_given_up()) break;
+            met.clear();
+            objects_[1 - side]->faces->find(box(side, face), met, most_work_);
+            std::uint64_t work = kWorkOfFace + met.size();
+            for (const std::uint32_t other : met) {
+                if (!is_real(1 - side, other) || (is_alone() && component(face) >= component(other))) continue;
+                const auto cut = side == 0 ? cut_of(face, other) : cut_of(other, face);
+                work += kWorkOfTest + (cut ? kWorkOfCut : 0);
+                if (cut) cuts.push_back(*cut);
             }
-            open[side].push_back(face);
+            work_ += work;
         }
+        return cuts;
     }
 
     const glm::dvec3& corner(int side, std::uint32_t face, int index) const
@@ -257,27 +245,23 @@ class PairCuts {
         return std::min(before, behind);
     }
 
-    void test(std::uint32_t first, std::uint32_t second)
+    std::optional<Cut> cut_of(std::uint32_t first, std::uint32_t second) const
     {
         const auto all_same = [](const std::array<bool, 3>& s) { return s[0] == s[1] && s[1] == s[2]; };
-        work_ += kWorkOfTest;
         const auto first_sides = sides(0, first, second);
-        if (all_same(first_sides)) return;
+        if (all_same(first_sides)) return std::nullopt;
         const auto second_sides = sides(1, second, first);
-        if (all_same(second_sides)) return;
+        if (all_same(second_sides)) return std::nullopt;
         Cut cut{{first, second}, {}, {}, std::min(depth(0, first, second), depth(1, second, first))};
         int count = 0;
         add_ends(0, first, second, first_sides, cut, count);
         add_ends(1, second, first, second_sides, cut, count);
-        if (count < 2) return;
-        work_ += kWorkOfCut;
-        cuts_.push_back(cut);
+        return count < 2 ? std::nullopt : std::optional(cut);
     }
 
     std::array<const Placed*, 2> objects_;
     std::uint64_t most_work_;
-    std::uint64_t work_ = 0;
-    std::vector<Cut> cuts_;
+    std::atomic<std::uint64_t> work_{0};
 };
 
 /// Numbers for joints, and which cuts hang together.
@@ -390,6 +374,16 @@ std::vector<Pair> meeting_pairs(std::span<const LineObject> objects, const std::
     return pairs;
 }
 
+/// Gives trees to the objects of the pairs.
+void grow_trees(std::vector<Placed>& world, std::span<const Pair> pairs)
+{
+    std::vector<char> is_wanted(world.size(), 0);
+    for (const auto& [a, b] : pairs) is_wanted[a] = is_wanted[b] = 1;
+    tbb::parallel_for(std::size_t{0}, world.size(), [&](std::size_t i) {
+        if (is_wanted[i]) world[i].faces.emplace(std::move(world[i].boxes));
+    });
+}
+
 /// The cuts of a few pairs, and whether each has them.
 struct CutsAtOnce {
     std::array<std::vector<Cut>, kPairsAtOnce> cuts;
@@ -403,7 +397,7 @@ CutsAtOnce cuts_of(const std::vector<Placed>& world, std::span<const Pair> pairs
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
         PairCuts search(world[pairs[i][0]], world[pairs[i][1]], work_left / 4);
         result.cuts[i] = search.run();
-        result.work[i] = search.work();
+        result.work[i] = std::min(search.work(), work_left / 4);  // where it gave up, threads differ in when
         result.is_left_out[i] = search.has_given_up();
     });
     return result;
@@ -425,6 +419,7 @@ std::vector<IntersectionLine> find_intersections(std::span<const LineObject> obj
     tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) { world[i] = placed(objects[i]); });
     std::uint64_t left_out = 0;
     const std::vector<Pair> pairs = meeting_pairs(objects, world, left_out);
+    grow_trees(world, pairs);
     const std::uint64_t pair_count = pairs.size() + left_out;
     std::vector<IntersectionLine> lines;
     std::uint32_t first_joint = 0;

@@ -3,10 +3,11 @@
 // nodes.
 #include "hatchway/geometry/lines/line_crowding.hpp"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -54,16 +55,18 @@ struct Nodes {
         for (int axis = 0; axis < 3; ++axis) weights[axis] = spline(at[axis] - rounded[axis]);
     }
 
-    /// `brick_at` turns a key into a brick, which stays where it is until this returns; `use` gets node and weight.
+    /// `brick_at` turns a brick's key, and which of 2 x 2 x 2 neighbours it is, into the brick, which stays where it is
+    /// until this returns; `use` gets node and weight.
     template <typename BrickAt, typename Use>
     void for_each(BrickAt&& brick_at, Use&& use) const
     {
         const glm::ivec3 first = low >> 2, last = (low + 2) >> 2;
-        std::array<decltype(brick_at(0)), 8> bricks{};
+        std::array<decltype(brick_at(0, 0)), 8> bricks{};
         for (int x = first.x; x <= last.x; ++x)
             for (int y = first.y; y <= last.y; ++y)
                 for (int z = first.z; z <= last.z; ++z)
-                    bricks[(x - first.x) * 4 + (y - first.y) * 2 + z - first.z] = brick_at(key_of({x, y, z}));
+                    bricks[(x - first.x) * 4 + (y - first.y) * 2 + z - first.z] =
+                        brick_at(key_of({x, y, z}), (x & 1) * 4 + (y & 1) * 2 + (z & 1));
         for (int x = 0; x < 3; ++x)
             for (int y = 0; y < 3; ++y)
                 for (int z = 0; z < 3; ++z) {
@@ -90,27 +93,40 @@ std::vector<Sample> sampled(std::span<const CrowdingLine> lines, const glm::vec3
     return samples;
 }
 
-/// Joins the samples in each cell of a grid to one in their middle.
-std::vector<Sample> joined(std::vector<Sample> samples, float cell)
+/// Spreads keys over a table of 2^n slots.
+std::size_t slot_for(std::uint64_t key, std::size_t slot_count)
 {
-    const auto key = [&](const Sample& s) { return key_of(glm::ivec3(glm::floor(s.place / cell))); };
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-    order.reserve(samples.size());
-    for (std::uint32_t i = 0; i < samples.size(); ++i) order.emplace_back(key(samples[i]), i);
-    tbb::parallel_sort(order.begin(), order.end());
-    std::vector<Sample> result;
-    for (std::size_t begin = 0; begin < order.size();) {
-        glm::dvec3 moment(0.0);
+    return (key * 0x9e3779b97f4a7c15ull) >> 20 & (slot_count - 1);
+}
+
+/// Joins the samples in each cell of a grid to one in their middle, in the order in which cells come up.
+std::vector<Sample> joined(std::span<const Sample> samples, float cell)
+{
+    constexpr std::uint32_t kEmpty = ~0u;
+    struct Cell {
+        std::uint64_t key;
+        glm::dvec3 moment{0.0};
         double length = 0.0;
-        std::size_t end = begin;
-        for (; end < order.size() && order[end].first == order[begin].first; ++end) {
-            const Sample& s = samples[order[end].second];
-            moment += static_cast<double>(s.length) * glm::dvec3(s.place);
-            length += s.length;
+    };
+    std::vector<std::uint32_t> slots(std::bit_ceil(2 * samples.size() + 1), kEmpty);
+    std::vector<Cell> cells;
+    cells.reserve(samples.size());
+    for (const Sample& s : samples) {
+        const std::uint64_t key = key_of(glm::ivec3(glm::floor(s.place / cell)));
+        std::size_t at = slot_for(key, slots.size());
+        while (slots[at] != kEmpty && cells[slots[at]].key != key) at = (at + 1) & (slots.size() - 1);
+        if (slots[at] == kEmpty) {
+            slots[at] = static_cast<std::uint32_t>(cells.size());
+            cells.push_back({key});
         }
-        if (length > 0.0) result.push_back({glm::vec3(moment / length), static_cast<float>(length)});
-        begin = end;
+        Cell& in = cells[slots[at]];
+        in.moment += static_cast<double>(s.length) * glm::dvec3(s.place);
+        in.length += s.length;
     }
+    std::vector<Sample> result;
+    result.reserve(cells.size());
+    for (const Cell& in : cells)
+        if (in.length > 0.0) result.push_back({glm::vec3(in.moment / in.length), static_cast<float>(in.length)});
     return result;
 }
 
@@ -164,19 +180,19 @@ LineCrowding::Lengths::Lengths(float cell, std::size_t sample_count) : cell_(cel
 
 std::size_t LineCrowding::Lengths::slot_of(std::uint64_t key) const
 {
-    std::size_t at = (key * 0x9e3779b97f4a7c15ull) >> 20 & (slots_.size() - 1);
+    std::size_t at = slot_for(key, slots_.size());
     while (slots_[at].key != key && slots_[at].key != 0) at = (at + 1) & (slots_.size() - 1);
     return at;
 }
 
-LineCrowding::Lengths::Brick& LineCrowding::Lengths::made(std::uint64_t key)
+std::uint32_t LineCrowding::Lengths::made(std::uint64_t key)
 {
     Slot& slot = slots_[slot_of(key)];
     if (slot.key == 0) {
         slot = {key, static_cast<std::uint32_t>(bricks_.size())};
         bricks_.emplace_back();
     }
-    return bricks_[slot.brick];
+    return slot.brick;
 }
 
 void LineCrowding::Lengths::grow()
@@ -192,17 +208,22 @@ void LineCrowding::Lengths::add(const glm::vec3& place, float length)
     constexpr std::size_t kMostBricks = 8;
     if (2 * (bricks_.size() + kMostBricks) > slots_.size()) grow();
     if (bricks_.capacity() - bricks_.size() < kMostBricks) bricks_.reserve(2 * bricks_.size() + 64);
-    Nodes(place, cell_)
-        .for_each([&](std::uint64_t key) { return &made(key); },
-                  [&](float& node, float weight) { node += weight * length; });
+    const auto brick_at = [&](std::uint64_t key, int corner) {
+        return &bricks_[near_.brick(key, corner, [&] { return made(key); })];
+    };
+    Nodes(place, cell_).for_each(brick_at, [&](float& node, float weight) { node += weight * length; });
 }
 
-float LineCrowding::Lengths::lines_at(const glm::vec3& place) const
+float LineCrowding::Lengths::lines_at(const glm::vec3& place, NearBricks& near) const
 {
     static constexpr Brick kNothing{};
-    const auto brick_at = [&](std::uint64_t key) {
-        const Slot& slot = slots_[slot_of(key)];
-        return slot.key == 0 ? &kNothing : &bricks_[slot.brick];
+    constexpr std::uint32_t kNoBrick = ~0u;
+    const auto brick_at = [&](std::uint64_t key, int corner) {
+        const std::uint32_t brick = near.brick(key, corner, [&] {
+            const Slot& slot = slots_[slot_of(key)];
+            return slot.key == 0 ? kNoBrick : slot.brick;
+        });
+        return brick == kNoBrick ? &kNothing : &bricks_[brick];
     };
     const Nodes nodes(place, cell_);
     float sum = 0.0f, own = 1.0f;
@@ -228,27 +249,36 @@ LineCrowding::LineCrowding(std::span<const CrowdingLine> lines)
     std::vector<Sample> samples = sampled(lines, origin_, 0.5f * window_);
     float cell = window_;
     for (int scale = 0; scale < kScales; ++scale, cell *= kScaleStep) {
-        samples = joined(std::move(samples), 0.5f * cell);
+        samples = joined(samples, 0.5f * cell);
         Lengths& lengths = scales_.emplace_back(cell, samples.size());
         for (const Sample& s : samples) lengths.add(s.place, s.length);
     }
 }
 
-glm::vec4 LineCrowding::at(const glm::vec3& place) const
+glm::vec4 LineCrowding::at(const glm::vec3& place, Near& near) const
 {
     glm::vec4 result(0.0f);
     float most = kFreeLines;
     for (std::size_t scale = 0; scale < scales_.size(); ++scale) {
-        most = std::max(most, scales_[scale].lines_at(place - origin_));
+        most = std::max(most, scales_[scale].lines_at(place - origin_, near[scale]));
         result[static_cast<int>(scale)] = std::log2(most / kFreeLines);
     }
     return result;
 }
 
+glm::vec4 LineCrowding::at(const glm::vec3& place) const
+{
+    Near near;
+    return at(place, near);
+}
+
 std::vector<glm::vec4> LineCrowding::at(std::span<const glm::vec3> places) const
 {
     std::vector<glm::vec4> result(places.size());
-    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) { result[i] = at(places[i]); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256), [&](const auto& range) {
+        Near near;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) result[i] = at(places[i], near);
+    });
     return result;
 }
 

@@ -50,6 +50,26 @@ class LineCrowding {
     std::vector<glm::vec4> at(std::span<const glm::vec3> places) const;
 
  private:
+    /// Bricks that were looked up last: places that follow each other along a line lie in the same ones.
+    class NearBricks {
+     public:
+        /// The number of the brick of a key; `corner` is the key's place among 2 x 2 x 2 neighbours.
+        template <typename Find>
+        std::uint32_t brick(std::uint64_t key, int corner, Find&& find)
+        {
+            if (keys_[corner] != key) {
+                keys_[corner] = key;
+                bricks_[corner] = find();
+            }
+            return bricks_[corner];
+        }
+
+     private:
+        std::array<std::uint64_t, 8> keys_{};
+        std::array<std::uint32_t, 8> bricks_{};
+    };
+    using Near = std::array<NearBricks, kScales>;
+
     /// A grid in which lengths lie on the nodes around them: bricks of 4 x 4 x 4 nodes in a hash table, so that the 27
     /// nodes around a place lie in few of them.
     class Lengths {
@@ -58,7 +78,7 @@ class LineCrowding {
         void add(const glm::vec3& place, float length);
         std::size_t bytes() const { return slots_.capacity() * sizeof(Slot) + bricks_.capacity() * sizeof(Brick); }
         /// Lines across a window around a place.
-        float lines_at(const glm::vec3& place) const;
+        float lines_at(const glm::vec3& place, NearBricks& near) const;
 
      private:
         using Brick = std::array<float, 64>;
@@ -68,13 +88,16 @@ class LineCrowding {
         };
         /// The slot of a brick, or the empty one where it would be.
         std::size_t slot_of(std::uint64_t key) const;
-        Brick& made(std::uint64_t key);
+        std::uint32_t made(std::uint64_t key);
         void grow();
 
         float cell_;
         std::vector<Slot> slots_;
         std::vector<Brick> bricks_;
+        NearBricks near_;  ///< For add().
     };
+
+    glm::vec4 at(const glm::vec3& place, Near& near) const;
 
     float window_ = 1.0f;
     glm::vec3 origin_{0.0f};

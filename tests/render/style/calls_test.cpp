@@ -180,6 +180,28 @@ TEST_F(calls, read_what_images_made_in_the_same_frame_in_lines_too)
     EXPECT_EQ(count_dark(pixels), 0);
 }
 
+TEST_F(calls, draw_into_the_picture_again_after_a_pass_into_a_target)
+{
+    add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted(glm::vec3(1.0f)));
+    ShaderFolder shaders(*renderer_);
+    const Program faces =
+        shaders.surface("#include \"surface.glsl\"\nvoid main() { hw_surface(); hw_output(vec3(1.0), 1.0); }\n");
+    const Program filter =
+        shaders.full_screen("#include \"full_screen.glsl\"\nvoid main() { hw_fragment = vec4(1.0); }\n");
+    ScriptedStyle style;
+    style.needed.edges = EdgeNeed{};
+    for (const bool is_render : {true, false}) {
+        style.draws_lines = [&](Pass& pass, Items items) {
+            is_render ? pass.render({}, faces, {}, items) : pass.filter({}, filter, {});
+            LineLook look;
+            look.all({.width_px = 6.0f});
+            pass.lines(look, items);
+        };
+        load(style);
+        EXPECT_GT(count_dark(draw(view_from({0, 0, 4}, {0, 0, 0}))), 100) << is_render;
+    }
+}
+
 TEST_F(calls, of_a_style_compile_each_program_once)
 {
     ShaderFolder shaders(*renderer_);

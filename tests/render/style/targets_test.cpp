@@ -200,6 +200,12 @@ TEST_F(targets, hide_items_behind_each_other_or_lay_them_over_each_other_as_dept
     EXPECT_EQ(drawn(TargetDepth::own), kGreen);
     EXPECT_EQ(drawn(TargetDepth::scene), kGreen);
     EXPECT_EQ(drawn(TargetDepth::none), glm::ivec3(0, 0, 255)) << "near before far, and the last lies on top";
+    const auto last_alone = [&](TargetDepth depth) {
+        return shown(
+            [&](Pass& pass, Items items) { return pass.render({.depth = depth}, numbers, {}, items.last(1))[0]; });
+    };
+    EXPECT_EQ(last_alone(TargetDepth::own), glm::ivec3(0, 0, 255)) << "what is no item of the pass hides nothing";
+    EXPECT_EQ(last_alone(TargetDepth::scene), glm::ivec3(0)) << "the first box is before it";
 }
 
 TEST_F(targets, of_one_pass_are_four_and_each_has_its_location)
