@@ -153,6 +153,34 @@ bool is_closed_and_consistent(const WeldedMesh& mesh)
     return is_good;
 }
 
+/// Which components have edges that are not of exactly two faces.
+std::vector<bool> open_components(const RepairedMesh& mesh)
+{
+    std::vector<bool> is_open(mesh.component_count, false);
+    for_each_edge(mesh.uses, [&](std::span<const DirectedEdge> edge) {
+        if (edge.size() == 2) return;
+        for (const DirectedEdge& use : edge) is_open[mesh.face_component[use.face]] = true;
+    });
+    return is_open;
+}
+
+/// Along the normal that the winding gives, twice as long as the area.
+glm::dvec3 area_of(const MeshData& mesh, std::uint32_t triangle)
+{
+    const auto place = [&](std::size_t corner) {
+        return glm::dvec3(mesh.positions[mesh.indices[3 * std::size_t{triangle} + corner]]);
+    };
+    return glm::cross(place(1) - place(0), place(2) - place(0));
+}
+
+bool do_normals_agree(const MeshData& mesh, std::uint32_t triangle)
+{
+    if (!mesh.has_own_normals) return false;
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < 3; ++i) sum += glm::dvec3(mesh.normals[mesh.indices[3 * std::size_t{triangle} + i]]);
+    return glm::dot(sum, area_of(mesh, triangle)) > 0.0;
+}
+
 }  // namespace
 
 RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share)
@@ -165,8 +193,13 @@ std::vector<std::uint32_t> wrongly_wound_triangles(const MeshData& mesh)
     WeldedMesh welded = weld(mesh);
     if (is_closed_and_consistent(welded)) return {};
     const RepairedMesh repaired = repair_mesh(std::move(welded), kStitchShare);
+    const std::vector<bool> is_open = open_components(repaired);
     std::vector<std::uint32_t> triangles;
-    for (const std::uint32_t face : repaired.flipped_faces) triangles.push_back(repaired.face_triangle[face]);
+    for (const std::uint32_t face : repaired.flipped_faces) {
+        const std::uint32_t triangle = repaired.face_triangle[face];
+        const bool is_meant = is_open[repaired.face_component[face]] && do_normals_agree(mesh, triangle);
+        if (!is_meant) triangles.push_back(triangle);
+    }
     std::sort(triangles.begin(), triangles.end());
     return triangles;
 }
@@ -187,9 +220,7 @@ void turn_over(MeshData& mesh, const std::vector<std::uint32_t>& triangles)
     }
     for (const std::uint32_t triangle : triangles) {
         const std::uint32_t* const corner = &mesh.indices[3 * std::size_t{triangle}];
-        const glm::dvec3 a = mesh.positions[corner[0]];
-        const glm::dvec3 area =
-            glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a, glm::dvec3(mesh.positions[corner[2]]) - a);
+        const glm::dvec3 area = area_of(mesh, triangle);
         for (int i = 0; i < 3; ++i)
             if (!is_kept[corner[i]] && glm::dot(glm::dvec3(mesh.normals[corner[i]]), area) < 0.0)
                 mesh.normals[corner[i]] = -mesh.normals[corner[i]];

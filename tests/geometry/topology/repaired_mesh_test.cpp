@@ -268,6 +268,19 @@ TEST(winding, a_normal_that_looked_to_the_back_turns_with_its_triangle)
     EXPECT_EQ(mesh.normals[mesh.indices[0]], flat.normals[flat.indices[0]]);
 }
 
+TEST(winding, in_an_open_mesh_a_triangle_stays_whose_own_normals_look_where_its_winding_does)
+{
+    const std::vector<std::uint32_t> one{3};
+    hw::MeshData mesh = flat_shaded(with_turned(cup(), one));
+    mesh.has_own_normals = true;
+    EXPECT_TRUE(hw::wrongly_wound_triangles(mesh).empty());
+    mesh.has_own_normals = false;
+    EXPECT_EQ(hw::wrongly_wound_triangles(mesh), one);
+    mesh.has_own_normals = true;
+    for (std::size_t i = 9; i < 12; ++i) mesh.normals[mesh.indices[i]] *= -1.0f;
+    EXPECT_EQ(hw::wrongly_wound_triangles(mesh), one);
+}
+
 TEST(winding, of_sheets_from_both_sides_nothing_is_turned)
 {
     EXPECT_TRUE(hw::wrongly_wound_triangles(doubled(sphere(16, 12), true)).empty());
