@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "hatchway/world/scene.hpp"
+
 namespace hw {
 
 /// What a frame of a walk has to do.
@@ -20,5 +22,8 @@ struct Stillness {
 /// The state of the next frame, at `now_s` on a clock that never goes back. `has_changed`: the picture of now would not
 /// be the last one. After a third of a second without change one sharp frame is drawn, then none.
 Stillness after_moment(const Stillness& state, bool has_changed, double now_s);
+
+/// Whether two cameras show the same but for rounding: a walker who stands is put back onto the floor at each step.
+bool are_alike(const Camera& a, const Camera& b);
 
 }  // namespace hw

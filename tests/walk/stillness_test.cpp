@@ -40,4 +40,17 @@ TEST(stillness, ends_with_the_first_change)
     EXPECT_EQ(all[6], FrameWork::paced);
 }
 
+TEST(stillness, is_not_ended_by_rounding_and_is_by_a_hair_s_breadth)
+{
+    const hw::Camera camera{.eye_world = {2.6, 2.6, 3.6}, .target_world = {2.0, 2.2, 2.8}};
+    hw::Camera rounded = camera, moved = camera, wider = camera, plan = camera;
+    rounded.eye_world.z += 5e-16;
+    rounded.target_world.z -= 5e-16;
+    moved.eye_world.x += 1e-9;
+    wider.fov_deg += 0.01;
+    plan.orthographic_height_m = 6.0;
+    EXPECT_TRUE(are_alike(rounded, camera));
+    for (const hw::Camera& other : {moved, wider, plan}) EXPECT_FALSE(are_alike(other, camera));
+}
+
 }  // namespace

@@ -160,7 +160,7 @@ void WalkSession::frame()
     keep_unsaved();
     reload();
     if (is_minimised) return;
-    has_changed_ |= stats_.changes_with_time || camera() != shown_camera_;
+    has_changed_ |= stats_.changes_with_time || !are_alike(camera(), shown_camera_);
     stillness_ = after_moment(stillness_, std::exchange(has_changed_, false), now);
     tell_result([this] { draw(); });
     if (stillness_.work == FrameWork::nothing) return;
