@@ -97,6 +97,20 @@ TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
     }
 }
 
+TEST(report_program, every_committed_result_of_a_measurement_is_of_a_commit_as_it_stands)
+{
+    std::size_t results = 0;
+    for (const auto& entry : fs::directory_iterator(kDocs / "report/results")) {
+        const std::string name = entry.path().stem().string();
+        if (name == "devices" || name == "fuzz") continue;  // a test and a script write these
+        const std::string json = bytes_of(entry.path());
+        EXPECT_TRUE(std::regex_search(json, std::regex("\"commit\": \"[0-9a-f]{10,40}\""))) << name;
+        EXPECT_THAT(json, testing::HasSubstr("\"command\": \"hatchway measure ")) << name;
+        ++results;
+    }
+    EXPECT_GT(results, 12u);
+}
+
 TEST(report_program, a_figure_that_was_typed_is_replaced)
 {
     const ReportFolder report;
