@@ -36,8 +36,8 @@ RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share);
 inline constexpr float kStitchShare = 1e-5f;
 
 /// The triangles that the repair turns over, rising: what is to be done to a mesh before anything culls, lights or
-/// collides by its winding. In a component that is open, one whose own normals look where its winding does stays: levels
-/// are full of walls that meet back to front.
+/// collides by its winding. In a component that is open, one whose own normals look where its winding does stays:
+/// levels are full of walls that meet back to front.
 std::vector<std::uint32_t> wrongly_wound_triangles(const MeshData& mesh);
 
 /// Turns them over. A normal of a vertex that only they use is turned too where it looks to their back.
