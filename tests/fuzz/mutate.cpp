@@ -60,7 +60,7 @@ void change(std::string& input, const std::vector<std::string>& seeds, Random& r
     const std::size_t length = below(std::min<std::size_t>(input.size() - at, 64) + 1, random);
     const std::string& other = seeds[below(seeds.size(), random)];
     const std::size_t from = below(other.size() + 1, random);
-    static const char* const kNumbers[] = {"-1", "0", "4294967295", "1e308", "-0.0", "null", "2147483648", "0.5"};
+    static const char* const numbers[] = {"-1", "0", "4294967295", "1e308", "-0.0", "null", "2147483648", "0.5"};
     switch (random() % 8) {
         case 0:
             if (at < input.size()) input[at] = static_cast<char>(input[at] ^ (1 << random() % 8));
@@ -75,7 +75,7 @@ void change(std::string& input, const std::vector<std::string>& seeds, Random& r
             input.insert(at, input.substr(at, length));
             break;
         case 4:
-            input.insert(at, kNumbers[random() % std::size(kNumbers)]);
+            input.insert(at, numbers[random() % std::size(numbers)]);
             break;
         case 5:
             input.replace(at, length, other.substr(from, random() % 256));

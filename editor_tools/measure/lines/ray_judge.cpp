@@ -233,10 +233,10 @@ struct RayJudge::Look {
         verdict.visible_px += length;
         if (!is_found.holds(at)) {
             verdict.missed_px += length;
-            show(at, kJudgedMissed);
+            show(at, judged_missed);
         } else if (!is_drawn.holds(at)) {
             verdict.thinned_px += length;
-            show(at, kJudgedThinned);
+            show(at, judged_thinned);
         }
     }
 
@@ -277,7 +277,7 @@ struct RayJudge::Look {
             (line.is_intersection ? verdict.unjudged_px : verdict.found_px) += length;
             const bool is_extra = !line.is_intersection && !may_be.holds(p);
             if (is_extra) verdict.extra_px += length;
-            show(p, is_extra ? kJudgedExtra : kJudgedFound);
+            show(p, is_extra ? judged_extra : judged_found);
         });
     }
 
@@ -303,7 +303,7 @@ RayVerdict RayJudge::judge(const JudgeCamera& camera, std::span<const JudgedLine
     Look look(*this, camera, found, drawn);
     look.to_show = to_show;
     if (to_show != nullptr)
-        to_show->assign(static_cast<std::size_t>(camera.size_px.x) * camera.size_px.y, kJudgedPaper);
+        to_show->assign(static_cast<std::size_t>(camera.size_px.x) * camera.size_px.y, judged_paper);
     for (const JudgedEdge& edge : edges_)
         if (look.is_line(edge)) look.judge_edge(edge);
     for (const JudgedLine& line : found) look.judge_found(line);

@@ -41,7 +41,7 @@ struct JudgeCamera {
 };
 
 /// What a pixel shows of a verdict.
-enum JudgedPixel : std::uint8_t { kJudgedPaper, kJudgedFound, kJudgedMissed, kJudgedThinned, kJudgedExtra };
+enum JudgedPixel : std::uint8_t { judged_paper, judged_found, judged_missed, judged_thinned, judged_extra };
 
 /// Judges visible lines by brute force: every edge of every object that is a border, a crease, a contour from the eye
 /// or marked by the artist is walked pixel by pixel, and a ray decides about each. Nothing of geometry/lines,
@@ -54,7 +54,7 @@ class RayJudge {
     RayJudge(const Scene& scene, double crease_rad);
 
     /// `found`: the visible lines. `drawn`: those of them that a style draws, at least a quarter of a pixel wide.
-    /// `to_show`, when not null, receives for every pixel kJudgedFound, kJudgedMissed ... or 0.
+    /// `to_show`, when not null, receives for every pixel judged_found, judged_missed ... or 0.
     RayVerdict judge(const JudgeCamera& camera, std::span<const JudgedLine> found, std::span<const JudgedLine> drawn,
                      std::vector<std::uint8_t>* to_show = nullptr) const;
 
