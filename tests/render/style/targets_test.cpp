@@ -156,7 +156,7 @@ TEST_F(targets, are_so_large_a_part_of_the_view_rounded_up_and_within_limits)
     for (const auto& [scale, size] : cases) {
         glm::ivec2 made{0};
         shown(
-            [&](Pass& pass, Items) {
+            [&, scale = scale](Pass& pass, Items) {
                 const Image image = pass.filter({.scale = scale}, written, {})[0];
                 made = image.size_px;
                 return image;
