@@ -45,7 +45,7 @@ class kills : public testing::Test {
     static void TearDownTestSuite()
     {
         if (!is_whole()) return;
-        EXPECT_GE(killed_of_all_, 1000) << "kills in all";
+        EXPECT_GE(killed_of_all, 1000) << "kills in all";
     }
     kills() { fs::copy_file(kContent / "models" / "prism.glb", folder_.path() / "prism.glb"); }
 
@@ -72,7 +72,7 @@ class kills : public testing::Test {
         fs::copy(saved_.path() / name, folder_ / name, fs::copy_options::recursive);
     }
     TemporaryFolder saved_;
-    static inline int killed_of_all_ = 0;
+    static inline int killed_of_all = 0;
 };
 
 /// Which calls to be killed at: of `count`, `wanted` ones, or all.
@@ -126,7 +126,7 @@ void kills::expect_old_or_new(const Output& output)
     const std::uint64_t others = wanted > changing ? wanted - changing : 0;
     for (const std::uint64_t number : some_of(counts[Calls::all], others, random)) kill_at(Calls::all, number);
     EXPECT_GE(killed * 2, static_cast<int>(std::min(wanted, counts[Calls::all])));
-    killed_of_all_ += killed;
+    killed_of_all += killed;
     RecordProperty("kills", killed);
     RecordProperty("changing_calls", static_cast<int>(counts[Calls::changing]));
     RecordProperty("calls", static_cast<int>(counts[Calls::all]));
