@@ -12,6 +12,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "hatchway/core/disjoint_sets.hpp"
 #include "hatchway/geometry/hatching/direction_layout.hpp"
 #include "hatchway/geometry/surface/smooth_sides.hpp"
 #include "hatchway/geometry/topology/weld.hpp"
@@ -224,23 +225,18 @@ void make_vertices(const MeshData& mesh, const WeldedMesh& welded, const SmoothS
 /// Counts smooth edges over which coordinates break, and the pieces between all breaks.
 void count_charts(const SmoothSides& sides, const CornerUv& uv, HatchReport& report)
 {
-    std::vector<std::uint32_t> parent(sides.normals.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root_of = [&](std::uint32_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    };
+    DisjointSets charts(sides.normals.size());
     const auto next = [](std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
     for (std::uint32_t side = 0; side < sides.twin.size(); ++side) {
         const std::uint32_t twin = sides.twin[side];
         if (twin == kNoSide || twin < side || sides.is_crease[side]) continue;
         if (uv[side] == uv[next(twin)] && uv[next(side)] == uv[twin])
-            parent[root_of(side / 3)] = root_of(twin / 3);
+            charts.join(side / 3, twin / 3);
         else
             ++report.chart_border_edges;
     }
-    for (std::uint32_t face = 0; face < parent.size(); ++face)
-        if (parent[face] == face) ++report.charts;
+    for (std::uint32_t face = 0; face < charts.size(); ++face)
+        if (charts.of(face) == face) ++report.charts;
     report.crease_edges = sides.crease_edges;
 }
 

@@ -17,6 +17,7 @@
 #include <tuple>
 
 #include "hatchway/core/box.hpp"
+#include "hatchway/core/disjoint_sets.hpp"
 #include "hatchway/core/log.hpp"
 #include "hatchway/geometry/exact/predicates.hpp"
 #include "hatchway/geometry/lines/face_tree.hpp"
@@ -269,33 +270,25 @@ class CutGroups {
  public:
     std::uint32_t joint(const Joint& joint)
     {
-        const auto [at, is_new] = ids_.try_emplace(joint, static_cast<std::uint32_t>(root_.size()));
+        const auto [at, is_new] = ids_.try_emplace(joint, sets_.size());
         if (is_new) {
-            root_.push_back(at->second);
+            sets_.add();
             depth_.push_back(0.0);
         }
         return at->second;
     }
     void join(std::uint32_t a, std::uint32_t b, double depth)
     {
-        a = find(a);
-        b = find(b);
-        if (a < b) std::swap(a, b);
-        root_[a] = b;
-        depth_[b] = std::max({depth_[a], depth_[b], depth});
+        depth = std::max({depth_[find(a)], depth_[find(b)], depth});
+        depth_[sets_.join(a, b)] = depth;
     }
     double depth_of(std::uint32_t joint) { return depth_[find(joint)]; }
-    std::uint32_t size() const { return static_cast<std::uint32_t>(root_.size()); }
-
-    std::uint32_t find(std::uint32_t index)
-    {
-        while (root_[index] != index) index = root_[index] = root_[root_[index]];
-        return index;
-    }
+    std::uint32_t size() const { return sets_.size(); }
+    std::uint32_t find(std::uint32_t index) { return sets_.of(index); }
 
  private:
     std::map<Joint, std::uint32_t> ids_;
-    std::vector<std::uint32_t> root_;
+    DisjointSets sets_;
     std::vector<double> depth_;
 };
 

@@ -15,6 +15,8 @@
 #include <mutex>
 #include <unordered_map>
 
+#include "hatchway/core/disjoint_sets.hpp"
+
 namespace hw {
 namespace {
 
@@ -50,9 +52,8 @@ bool is_on_line(const Segment& segment, const Segment& longer, double tolerance)
 class LineGroups {
  public:
     LineGroups(std::span<const Segment> segments, double tolerance)
-        : segments_(segments), tolerance_(tolerance), root_(segments.size())
+        : segments_(segments), tolerance_(tolerance), sets_(segments.size())
     {
-        for (std::uint32_t i = 0; i < segments.size(); ++i) root_[i] = i;
         double sum = 0.0;
         for (const Segment& segment : segments) sum += length_of(segment);
         cell_ = std::max(64.0 * tolerance, segments.empty() ? 1.0 : sum / static_cast<double>(segments.size()));
@@ -66,13 +67,13 @@ class LineGroups {
         tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(segments_.size())),
                           [&](const auto& range) { join_all(range.begin(), range.end()); });
         std::vector<std::uint32_t> count(segments_.size(), 0);
-        for (std::uint32_t i = 0; i < segments_.size(); ++i) ++count[find(i)];
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) ++count[sets_.of(i)];
         std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_root;
         for (std::uint32_t i = 0; i < segments_.size(); ++i)
-            if (count[find(i)] > 1) by_root[find(i)].push_back(i);
+            if (count[sets_.of(i)] > 1) by_root[sets_.of(i)].push_back(i);
         std::vector<std::vector<std::uint32_t>> groups;
         for (std::uint32_t i = 0; i < segments_.size(); ++i)
-            if (find(i) == i && count[i] > 1) split_into_lines(std::move(by_root[i]), groups);
+            if (sets_.of(i) == i && count[i] > 1) split_into_lines(std::move(by_root[i]), groups);
         return groups;
     }
 
@@ -119,7 +120,7 @@ class LineGroups {
         Pairs pairs;
         const auto join_found = [&] {
             const std::lock_guard lock(joining_);
-            for (const auto& [a, b] : pairs) join(a, b);
+            for (const auto& [a, b] : pairs) sets_.join(a, b);
             pairs.clear();
         };
         for (std::uint32_t i = begin; i < end; ++i) {
@@ -204,26 +205,13 @@ class LineGroups {
         }
     }
 
-    std::uint32_t find(std::uint32_t index)
-    {
-        while (root_[index] != index) index = root_[index] = root_[root_[index]];
-        return index;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        if (a < b) std::swap(a, b);
-        root_[a] = b;
-    }
-
     std::span<const Segment> segments_;
     double tolerance_;
     double cell_;
-    std::vector<std::uint32_t> root_;
+    DisjointSets sets_;
     std::vector<Entry> entries_;
     std::unordered_map<std::uint64_t, std::uint32_t> first_;
-    std::mutex joining_;  // guards root_
+    std::mutex joining_;  // guards sets_
     std::uint64_t compared_ = 0;
 };
 

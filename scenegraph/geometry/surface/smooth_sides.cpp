@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 
+#include "hatchway/core/disjoint_sets.hpp"
 #include "hatchway/geometry/topology/directed_edges.hpp"
 
 namespace hw {
@@ -12,12 +12,6 @@ namespace {
 std::uint32_t next_corner(std::uint32_t corner)
 {
     return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
-
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i)
-{
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
 }
 
 }  // namespace
@@ -53,18 +47,17 @@ SmoothSides find_smooth_sides(const WeldedMesh& mesh, float crease_rad)
 
 CornerGroups join_corners(const SmoothSides& sides, const std::vector<bool>& is_joined)
 {
-    std::vector<std::uint32_t> parent(sides.twin.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    for (std::uint32_t side = 0; side < parent.size(); ++side) {
+    DisjointSets sets(sides.twin.size());
+    for (std::uint32_t side = 0; side < sets.size(); ++side) {
         const std::uint32_t twin = sides.twin[side];
         if (twin == kNoSide || !is_joined[side]) continue;
-        parent[root_of(parent, side)] = root_of(parent, next_corner(twin));
-        parent[root_of(parent, next_corner(side))] = root_of(parent, twin);
+        sets.join(side, next_corner(twin));
+        sets.join(next_corner(side), twin);
     }
     CornerGroups groups;
-    groups.group.assign(parent.size(), kNoSide);
-    for (std::uint32_t corner = 0; corner < parent.size(); ++corner) {
-        const std::uint32_t root = root_of(parent, corner);
+    groups.group.assign(sets.size(), kNoSide);
+    for (std::uint32_t corner = 0; corner < sets.size(); ++corner) {
+        const std::uint32_t root = sets.of(corner);
         if (groups.group[root] == kNoSide) groups.group[root] = groups.count++;
         groups.group[corner] = groups.group[root];
     }

@@ -3,37 +3,17 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 
 #include "hatchway/core/box.hpp"
+#include "hatchway/core/disjoint_sets.hpp"
 
 namespace hw {
 namespace {
 
 constexpr double kRounding = 0x1p-22;  // of the largest coordinate: floats tell no smaller hole
 constexpr double kMostOfPiece = 0.01;  // wider than that it is part of the piece's shape
-
-/// Positions in sets that are joined.
-class Sets {
- public:
-    explicit Sets(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
-    std::uint32_t of(std::uint32_t i)
-    {
-        while (root_[i] != i) i = root_[i] = root_[root_[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = of(a);
-        b = of(b);
-        root_[std::max(a, b)] = std::min(a, b);
-    }
-
- private:
-    std::vector<std::uint32_t> root_;
-};
 
 class PinholeSearch {
  public:
@@ -142,8 +122,8 @@ class PinholeSearch {
     double share_;
     double rounding_ = 0.0;                              // of a coordinate
     std::vector<std::array<std::uint32_t, 2>> borders_;  // no longer than a hole may be wide
-    Sets pieces_;
-    Sets holes_;
+    DisjointSets pieces_;
+    DisjointSets holes_;
     std::unordered_map<std::uint32_t, Box> piece_box_;
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> faces_at_;  // of corners at short borders
 };
