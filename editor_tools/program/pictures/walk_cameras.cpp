@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/stage/whole_scene.hpp"
 
 namespace hw {
 
@@ -24,6 +25,23 @@ Camera camera_named(const std::string& name, const Level& level, const Scene& sc
     throw Error({.what = fmt::format("--camera: there is no camera \"{}\"", name),
                  .file = level.file.string(),
                  .expected = names.empty() ? instead : fmt::format("one of: {}", fmt::join(names, ", "))});
+}
+
+Camera start_camera(const Level& level, const Scene& scene, double aspect)
+{
+    if (level.start) return {.name = "start", .eye_world = level.start->position, .target_world = level.start->look_at};
+    const CameraPlace place = whole_scene_camera(scene, aspect);
+    return {
+        .name = "overview", .eye_world = place.eye_world, .target_world = place.target_world, .fov_deg = place.fov_deg};
+}
+
+std::string camera_arguments(const Camera& camera)
+{
+    const auto text = [](const glm::dvec3& p) { return fmt::format("{:.4f},{:.4f},{:.4f}", p.x, p.y, p.z); };
+    const std::string projection = camera.orthographic_height_m
+                                       ? fmt::format("--ortho {:.6g}", *camera.orthographic_height_m)
+                                       : fmt::format("--fov-deg {:.4g}", camera.fov_deg);
+    return fmt::format("--eye {} --target {} {}", text(camera.eye_world), text(camera.target_world), projection);
 }
 
 }  // namespace hw

@@ -41,14 +41,6 @@ double aspect_of(const Window& window)
     return size.y > 0 ? static_cast<double>(size.x) / size.y : 1.0;
 }
 
-Camera start_camera(const Level& level, const Scene& scene, double aspect)
-{
-    if (level.start) return {.name = "start", .eye_world = level.start->position, .target_world = level.start->look_at};
-    const CameraPlace place = whole_scene_camera(scene, aspect);
-    return {
-        .name = "overview", .eye_world = place.eye_world, .target_world = place.target_world, .fov_deg = place.fov_deg};
-}
-
 /// On white paper, before there is a picture: opening a level may take seconds.
 void show_opening(Window& window, const std::filesystem::path& file)
 {
@@ -62,15 +54,6 @@ bool wants_to_move(const PlayerInput& input)
 {
     return input.forward != 0.0 || input.right != 0.0 || input.up != 0.0 || input.turn_left != 0.0 ||
            input.turn_up != 0.0 || input.look_left_rad != 0.0 || input.look_up_rad != 0.0;
-}
-
-std::string camera_arguments(const Camera& camera)
-{
-    const auto text = [](const glm::dvec3& p) { return fmt::format("{:.4f},{:.4f},{:.4f}", p.x, p.y, p.z); };
-    const std::string projection = camera.orthographic_height_m
-                                       ? fmt::format("--ortho {:.6g}", *camera.orthographic_height_m)
-                                       : fmt::format("--fov-deg {:.4g}", camera.fov_deg);
-    return fmt::format("--eye {} --target {} {}", text(camera.eye_world), text(camera.target_world), projection);
 }
 
 }  // namespace
