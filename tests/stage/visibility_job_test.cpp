@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 
 const fs::path kContent = fs::path(HATCHWAY_SOURCE_DIR) / "content";
 
-/// Asks the stage until it has what it compiles, for at most a minute.
+/// Asks the stage until it has what it compiles. A job of the lowest priority has no time of its own on a busy machine.
 void wait_for_visibility(hw::Stage& stage)
 {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(10);
     while (stage.visibility() == nullptr && std::chrono::steady_clock::now() < end) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         stage.reload_changed();
