@@ -48,6 +48,18 @@ class NormalSplits {
     std::span<const std::uint32_t> position_of_vertex_;
 };
 
+/// Whether two vertices of the mesh have one position; else no normals can differ across an edge.
+bool are_vertices_split(const MeshData& mesh, std::span<const std::uint32_t> position_of_vertex,
+                        std::size_t position_count)
+{
+    std::vector<std::uint32_t> vertex_at(position_count, kNoFace);
+    return std::any_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t vertex) {
+        std::uint32_t& first = vertex_at[position_of_vertex[vertex]];
+        if (first == kNoFace) first = vertex;
+        return first != vertex;
+    });
+}
+
 struct Shading {
     std::uint32_t folded = 0;
     std::uint32_t split = 0;
@@ -100,7 +112,8 @@ void mark_named_edges(std::vector<InnerEdge>& edges, const MeshData& mesh,
 void mark_artist_edges(std::vector<InnerEdge>& edges, const Surface& surface, const MeshData& mesh,
                        std::span<const std::uint32_t> position_of_vertex, float least_fold_rad)
 {
-    if (mesh.has_own_normals && !mesh.normals.empty()) {
+    if (mesh.has_own_normals && !mesh.normals.empty() &&
+        are_vertices_split(mesh, position_of_vertex, surface.positions.size())) {
         mark_split_normals(edges, surface, NormalSplits(surface, mesh, position_of_vertex), least_fold_rad);
     }
     if (!mesh.artist_edges.empty()) mark_named_edges(edges, mesh, position_of_vertex);

@@ -30,9 +30,7 @@ std::uint32_t crease_end(const Surface& surface, EdgeRange group, float crease_r
 float fold_rad(const Surface& surface, std::uint32_t face_a, std::uint32_t face_b)
 {
     if (face_a == kNoFace || face_b == kNoFace) return 0.0f;
-    const glm::dvec3 a = plane_normal(surface, face_a), b = plane_normal(surface, face_b);
-    if (a == glm::dvec3(0.0) || b == glm::dvec3(0.0)) return 0.0f;
-    return static_cast<float>(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+    return angle_between(plane_normal(surface, face_a), plane_normal(surface, face_b));
 }
 
 float fold_rad(const Surface& surface, std::uint32_t edge)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <numeric>
 
 #include "hatchway/geometry/surface/surface.hpp"
 
@@ -94,10 +95,12 @@ std::vector<PlacedEdge> placed_edges(const Surface& surface, std::uint32_t clust
         const auto [a, b] = surface.edges[edge].faces();
         if (b < surface.faces.size()) edges.push_back(placed(edge, a, b, planes, reaches));
     }
-    std::sort(edges.begin(), edges.end(), [](const PlacedEdge& a, const PlacedEdge& b) {
-        return a.cluster != b.cluster ? a.cluster < b.cluster : a.edge < b.edge;
-    });
-    return edges;
+    std::vector<std::uint32_t> next(cluster_count + 1, 0);
+    for (const PlacedEdge& edge : edges) ++next[edge.cluster + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<PlacedEdge> sorted(edges.size());
+    for (const PlacedEdge& edge : edges) sorted[next[edge.cluster]++] = edge;
+    return sorted;
 }
 
 }  // namespace

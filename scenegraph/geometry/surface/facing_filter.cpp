@@ -37,7 +37,7 @@ glm::dvec3 sure_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
 
 std::int16_t steps(double value)
 {
-    return static_cast<std::int16_t>(std::lround(value));
+    return static_cast<std::int16_t>(value + (value < 0.0 ? -0.5 : 0.5));
 }
 
 RoundedPlane rounded_plane(std::span<const glm::vec3> positions, const Corners& face, const glm::dvec3& centre,

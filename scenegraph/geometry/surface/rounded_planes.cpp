@@ -101,13 +101,6 @@ void StepBlocks::add(const RoundedPlane& plane)
     put_plane(plane, blocks_.data(), count_++);
 }
 
-RoundedPlane StepBlocks::at(std::size_t place) const
-{
-    const auto [a, b] = block(place)->first[place % kPlaces];
-    const auto [c, d] = block(place)->second[place % kPlaces];
-    return {a, b, c, d};
-}
-
 void decide_planes(const StepBlocks::Block* blocks, std::uint32_t count, const EyeSteps& eye, const SideBits& bits)
 {
     decide<false>({blocks}, count, eye, bits);

@@ -33,7 +33,12 @@ class StepBlocks {
     };
 
     void add(const RoundedPlane& plane);
-    RoundedPlane at(std::size_t place) const;
+    RoundedPlane at(std::size_t place) const
+    {
+        const auto [a, b] = block(place)->first[place % kPlaces];
+        const auto [c, d] = block(place)->second[place % kPlaces];
+        return {a, b, c, d};
+    }
     const Block* block(std::size_t place) const { return blocks_.data() + place / kPlaces; }
     std::size_t bytes() const { return blocks_.size() * sizeof(Block); }
 

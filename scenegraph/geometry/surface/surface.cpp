@@ -1,11 +1,11 @@
 #include "hatchway/geometry/surface/surface.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "hatchway/core/radix_sort.hpp"
 #include "hatchway/geometry/surface/angle_change.hpp"
 #include "hatchway/geometry/surface/artist_edges.hpp"
 #include "hatchway/geometry/surface/inherited_planes.hpp"
@@ -57,19 +57,29 @@ class SurfaceBuild {
         surface_.normal_from_object = fold_normal_matrix(options_.world_from_object);
     }
 
-    static WeldedMesh in_outline_order(WeldedMesh welded)
+    /// Positions again in the order of first use, so that what is near in one list is near in the other.
+    static WeldedMesh in_outline_order(const WeldedMesh& welded)
     {
-        std::vector<FaceCorners> faces;
-        std::vector<std::uint32_t> triangles;
-        faces.reserve(welded.faces.size());
-        triangles.reserve(welded.faces.size());
+        WeldedMesh ordered;
+        ordered.positions.reserve(welded.positions.size());
+        ordered.faces.reserve(welded.faces.size());
+        ordered.face_triangle.reserve(welded.faces.size());
+        std::vector<std::uint32_t> new_id(welded.positions.size(), kNoFace);
+        const auto id_of = [&](std::uint32_t position) {
+            if (new_id[position] == kNoFace) {
+                new_id[position] = static_cast<std::uint32_t>(ordered.positions.size());
+                ordered.positions.push_back(welded.positions[position]);
+            }
+            return new_id[position];
+        };
         for (const std::uint32_t face : outline_order(welded.positions, welded.faces)) {
-            faces.push_back(welded.faces[face]);
-            triangles.push_back(welded.face_triangle[face]);
+            const auto& [a, b, c] = welded.faces[face];
+            ordered.faces.push_back({id_of(a), id_of(b), id_of(c)});
+            ordered.face_triangle.push_back(welded.face_triangle[face]);
         }
-        welded.faces = std::move(faces);
-        welded.face_triangle = std::move(triangles);
-        return welded;
+        for (const std::uint32_t position : welded.vertex_position)
+            ordered.vertex_position.push_back(welded.positions.empty() ? 0 : id_of(position));
+        return ordered;
     }
 
     void judge_components()
@@ -117,6 +127,7 @@ class SurfaceBuild {
     void collect_edges()
     {
         SurfaceReport& report = surface_.report;
+        inner_.reserve(uses_.size() / 2);
         for_each_edge(uses_, [&](std::span<const DirectedEdge> uses) {
             const DirectedEdge& use = uses[0];
             Edge edge{Edge::side(use.face, use.corner), uses.size() == 1 ? kNoFace : uses[1].face};
@@ -132,7 +143,15 @@ class SurfaceBuild {
             inner_.push_back({.edge = edge, .vertices = {use.low, use.high}});
         });
         report.inconsistent_edges = static_cast<std::uint32_t>(surface_.filter.twins.size());
-        for (InnerEdge& inner : inner_) inner.fold_rad = hw::fold_rad(surface_, inner.edge.face_a(), inner.edge.face_b);
+        measure_folds();
+    }
+
+    void measure_folds()
+    {
+        std::vector<glm::dvec3> normals(surface_.faces.size() + surface_.filter.twins.size());
+        for (std::uint32_t face = 0; face < normals.size(); ++face) normals[face] = plane_normal(surface_, face);
+        for (InnerEdge& inner : inner_)
+            inner.fold_rad = angle_between(normals[inner.edge.face_a()], normals[inner.edge.face_b]);
     }
 
     EdgeGroup group_of(const InnerEdge& edge) const
@@ -149,31 +168,20 @@ class SurfaceBuild {
     void fill_table()
     {
         EdgeTable& table = surface_.edges;
-        struct Placed {
-            EdgeGroup group;
-            std::uint32_t index;
-        };
-        std::vector<Placed> order(inner_.size());
+        std::array<std::vector<KeyedIndex>, kEdgeGroupCount> groups;
         for (std::uint32_t i = 0; i < inner_.size(); ++i) {
-            order[i] = {group_of(inner_[i]), i};
+            // The bits of floats from 0 on rise with them.
+            const std::uint32_t falling = ~std::bit_cast<std::uint32_t>(inner_[i].fold_rad);
+            groups[static_cast<std::size_t>(group_of(inner_[i]))].push_back({falling, i});
             surface_.report.artist_edges += inner_[i].is_artist;
         }
-        tbb::parallel_sort(order.begin(), order.end(), [&](const Placed& a, const Placed& b) {
-            if (a.group != b.group) return a.group < b.group;
-            const float fold_a = inner_[a.index].fold_rad, fold_b = inner_[b.index].fold_rad;
-            return fold_a != fold_b ? fold_a > fold_b : a.index < b.index;
-        });
-        table.group_begin.fill(table.size() + static_cast<std::uint32_t>(inner_.size()));
-        table.group_begin[0] = 0;
         table.edges.reserve(table.size() + inner_.size());
-        for (const Placed& placed : order) {
-            std::uint32_t& begin = table.group_begin[static_cast<std::size_t>(placed.group)];
-            begin = std::min(begin, table.size());
-            table.edges.push_back(inner_[placed.index].edge);
+        for (std::size_t group = 1; group < groups.size(); ++group) {  // borders stand in the first
+            table.group_begin[group] = table.size();
+            radix_sort(groups[group]);
+            for (const KeyedIndex& edge : groups[group]) table.edges.push_back(inner_[edge.index].edge);
         }
-        for (int group = kEdgeGroupCount - 1; group > 0; --group) {
-            table.group_begin[group] = std::min(table.group_begin[group], table.group_begin[group + 1]);
-        }
+        table.group_begin[kEdgeGroupCount] = table.size();
     }
 
     const MeshData& mesh_;

@@ -18,6 +18,9 @@ std::uint32_t plane_face(const Surface& surface, std::uint32_t face);
 /// normal is turned over.
 glm::dvec3 plane_normal(const Surface& surface, std::uint32_t face);
 
+/// The angle between two normals, in [0, pi]; 0 where one is zero.
+float angle_between(const glm::dvec3& a, const glm::dvec3& b);
+
 /// The exact sign of an edge of two faces: -1 strictly convex, 0 flat (or without planes), +1 reflex.
 int convexity_sign(const Surface& surface, std::uint32_t face_a, std::uint32_t face_b);
 

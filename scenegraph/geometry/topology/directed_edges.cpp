@@ -27,6 +27,22 @@ std::vector<DirectedEdge> bucketed_by_low(std::span<const FaceCorners> faces, st
     return uses;
 }
 
+/// They stand by rising face already, and there are few of them but at the hub of a fan.
+void sort_by_high(std::span<DirectedEdge> uses)
+{
+    constexpr std::size_t kFew = 32;
+    if (uses.size() > kFew) {
+        std::stable_sort(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.high < b.high; });
+        return;
+    }
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+        const DirectedEdge use = uses[i];
+        std::size_t at = i;
+        for (; at > 0 && uses[at - 1].high > use.high; --at) uses[at] = uses[at - 1];
+        uses[at] = use;
+    }
+}
+
 }  // namespace
 
 std::vector<DirectedEdge> sorted_directed_edges(std::span<const FaceCorners> faces)
@@ -34,10 +50,7 @@ std::vector<DirectedEdge> sorted_directed_edges(std::span<const FaceCorners> fac
     std::vector<std::uint32_t> bucket_begin;
     std::vector<DirectedEdge> uses = bucketed_by_low(faces, bucket_begin);
     for (std::size_t bucket = 0; bucket + 1 < bucket_begin.size(); ++bucket) {
-        std::sort(uses.begin() + bucket_begin[bucket], uses.begin() + bucket_begin[bucket + 1],
-                  [](const DirectedEdge& a, const DirectedEdge& b) {
-                      return a.high != b.high ? a.high < b.high : a.face < b.face;
-                  });
+        sort_by_high(std::span(uses).subspan(bucket_begin[bucket], bucket_begin[bucket + 1] - bucket_begin[bucket]));
     }
     return uses;
 }

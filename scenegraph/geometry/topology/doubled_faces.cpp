@@ -16,6 +16,11 @@ struct FaceAtEdge {
     auto key() const { return std::tuple(apex, triangle); }
 };
 
+std::uint32_t apex_of(std::span<const FaceCorners> faces, const DirectedEdge& use)
+{
+    return faces[use.face][(use.corner + 2) % 3];
+}
+
 void drop(DoubledFaces& doubled, std::size_t face_count, const FaceAtEdge& kept, const FaceAtEdge& other)
 {
     if (doubled.is_dropped.empty()) {
@@ -34,10 +39,10 @@ DoubledFaces find_doubled_faces(std::span<const FaceCorners> faces, std::span<co
     DoubledFaces doubled;
     std::vector<FaceAtEdge> here;
     for_each_edge(uses, [&](std::span<const DirectedEdge> edge) {
-        if (edge.size() < 2) return;
+        if (edge.size() < 2 || (edge.size() == 2 && apex_of(faces, edge[0]) != apex_of(faces, edge[1]))) return;
         here.clear();
         for (const DirectedEdge& use : edge) {
-            const std::uint32_t apex = faces[use.face][(use.corner + 2) % 3];
+            const std::uint32_t apex = apex_of(faces, use);
             if (apex > use.high) here.push_back({apex, face_triangle[use.face], use.face, use.is_forward});
         }
         std::sort(here.begin(), here.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });

@@ -19,12 +19,14 @@ class WindingWalk {
  public:
     WindingWalk(std::span<const glm::vec3> positions, std::vector<FaceCorners>& faces,
                 std::span<const DirectedEdge> uses)
-        : positions_(positions),
-          faces_(faces),
-          neighbours_(face_neighbours(faces.size(), uses)),
-          is_opposed_(faces.size(), false)
+        : positions_(positions), faces_(faces), beyond_(faces.size(), Beyond{}), is_opposed_(faces.size(), false)
     {
         repair_.face_component.assign(faces.size(), kNoFace);
+        for_each_edge(uses, [&](std::span<const DirectedEdge> edge) {
+            if (edge.size() != 2) return;
+            const bool is_against = edge[0].is_forward == edge[1].is_forward;
+            for (int i = 0; i < 2; ++i) beyond_[edge[i].face][edge[i].corner] = {edge[1 - i].face, is_against};
+        });
     }
 
     WindingRepair run()
@@ -40,14 +42,12 @@ class WindingWalk {
     }
 
  private:
-    bool winds_against(std::uint32_t face, int corner, std::uint32_t other) const
-    {
-        const std::uint32_t from = faces_[face][corner], to = faces_[face][(corner + 1) % 3];
-        for (int side = 0; side < 3; ++side) {
-            if (faces_[other][side] == from && faces_[other][(side + 1) % 3] == to) return true;
-        }
-        return false;
-    }
+    /// The face beyond a side, over an edge of exactly two faces, and whether it winds against this one.
+    struct Neighbour {
+        std::uint32_t face = kNoFace;
+        bool is_against = false;
+    };
+    using Beyond = std::array<Neighbour, 3>;
 
     Component walk_from(std::uint32_t seed)
     {
@@ -57,11 +57,9 @@ class WindingWalk {
         for (std::size_t next = 0; next < component.faces.size(); ++next) {
             const std::uint32_t face = component.faces[next];
             component.opposed += is_opposed_[face];
-            for (int corner = 0; corner < 3; ++corner) {
-                const std::uint32_t other = neighbours_[face][corner];
+            for (const auto& [other, against] : beyond_[face]) {
                 component.has_border |= other == kNoFace;
                 if (other == kNoFace) continue;
-                const bool against = winds_against(face, corner, other);
                 if (repair_.face_component[other] == kNoFace) {
                     repair_.face_component[other] = repair_.component_count;
                     is_opposed_[other] = is_opposed_[face] != against;
@@ -103,7 +101,7 @@ class WindingWalk {
 
     std::span<const glm::vec3> positions_;
     std::vector<FaceCorners>& faces_;
-    std::vector<FaceCorners> neighbours_;
+    std::vector<Beyond> beyond_;
     std::vector<bool> is_opposed_;
     WindingRepair repair_;
 };

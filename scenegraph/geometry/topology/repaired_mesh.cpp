@@ -28,9 +28,11 @@ class MeshRepair {
     {
         made_.uses = sorted_directed_edges(made_.faces);
         join_doubled();
-        stitch();
-        close_holes();
-        close();
+        if (has_borders()) {
+            stitch();
+            close_holes();
+            close();
+        }
         wind();
         return std::move(made_);
     }
@@ -47,13 +49,23 @@ class MeshRepair {
         return static_cast<float>(glm::distance(glm::dvec3(low), glm::dvec3(high)));
     }
 
+    bool has_borders() const
+    {
+        bool result = false;
+        for_each_edge(made_.uses, [&](std::span<const DirectedEdge> edge) { result |= edge.size() == 1; });
+        return result;
+    }
+
     void join_doubled()
     {
         const DoubledFaces doubled = find_doubled_faces(made_.faces, made_.uses, made_.face_triangle);
         if (doubled.is_dropped.empty()) return;
         const std::size_t count = made_.faces.size();
         made_.two_sided_faces.assign(doubled.is_two_sided.begin(), doubled.is_two_sided.end());
-        keep_faces([&](std::size_t face) { return !doubled.is_dropped[face]; });
+        const std::vector<std::uint32_t> new_number =
+            keep_faces([&](std::size_t face) { return !doubled.is_dropped[face]; });
+        for (DirectedEdge& use : made_.uses) use.face = new_number[use.face];
+        std::erase_if(made_.uses, [](const DirectedEdge& use) { return use.face == kNoFace; });
         made_.doubled_faces = static_cast<std::uint32_t>(count - made_.faces.size());
     }
 
@@ -76,14 +88,18 @@ class MeshRepair {
             const auto& [a, b, c] = made_.faces[face];
             return a != b && b != c && c != a;
         });
+        made_.uses = sorted_directed_edges(made_.faces);
     }
 
+    /// Returns the new number of each face, or kNoFace; the order stays.
     template <typename IsKept>
-    void keep_faces(const IsKept& is_kept)
+    std::vector<std::uint32_t> keep_faces(const IsKept& is_kept)
     {
         std::size_t kept = 0;
+        std::vector<std::uint32_t> new_number(made_.faces.size(), kNoFace);
         for (std::size_t face = 0; face < made_.faces.size(); ++face) {
             if (!is_kept(face)) continue;
+            new_number[face] = static_cast<std::uint32_t>(kept);
             made_.faces[kept] = made_.faces[face];
             made_.face_triangle[kept] = made_.face_triangle[face];
             if (!made_.two_sided_faces.empty()) made_.two_sided_faces[kept] = made_.two_sided_faces[face];
@@ -92,7 +108,7 @@ class MeshRepair {
         made_.faces.resize(kept);
         made_.face_triangle.resize(kept);
         if (!made_.two_sided_faces.empty()) made_.two_sided_faces.resize(kept);
-        made_.uses = sorted_directed_edges(made_.faces);
+        return new_number;
     }
 
     void drop_unused_positions(const std::vector<FaceCorners>& before)

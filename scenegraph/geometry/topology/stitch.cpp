@@ -62,10 +62,15 @@ class Stitcher {
         for_each_edge(uses, [&](std::span<const DirectedEdge> edge) {
             if (edge.size() == 1) add_border(edge[0]);
         });
-        for (const auto& entry : leaving_) grid_.add(entry.first);
-        for (std::uint32_t face = 0; !borders_.empty() && face < faces.size(); ++face) {
+        if (borders_.empty()) return;
+        std::vector<bool> is_on_border(positions.size(), false);
+        for (const auto& [corner, borders] : leaving_) {
+            grid_.add(corner);
+            is_on_border[corner] = true;
+        }
+        for (std::uint32_t face = 0; face < faces.size(); ++face) {
             for (const std::uint32_t corner : faces[face]) {
-                if (leaving_.contains(corner)) faces_at_[corner].push_back(face);
+                if (is_on_border[corner]) faces_at_[corner].push_back(face);
             }
         }
     }

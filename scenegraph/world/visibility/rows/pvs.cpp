@@ -81,7 +81,7 @@ bool may_follow(const FlowPortal& first, const FlowPortal& later, double least)
 /// All leaves, where finding out takes too many steps.
 LeafBits coarse_sight(const FlowGraph& graph, const FlowPortal& source)
 {
-    constexpr std::size_t kMostSteps = 400'000'000;  // portals, of all sources
+    constexpr std::size_t kMostSteps = 200'000'000;  // portals, of all sources
     std::size_t steps_left = kMostSteps / graph.portals.size();
     LeafBits seen((static_cast<std::size_t>(graph.leaf_count) + 63) / 64);
     std::vector<int> pending{source.to_leaf};
