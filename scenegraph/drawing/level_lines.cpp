@@ -99,8 +99,11 @@ const LevelLines::Made& LevelLines::made_of(ObjectId id, float crease_rad)
     if (!is_new) return at->second;
     const ObjectEdges edges{*objects_[id].surface, crease_rad, extras, objects_[id].is_culled};
     Made& made = at->second;
-    if (is_crowded) made.crowding.emplace(crowding_of(edges));
-    made.lines = object_lines(edges, made.crowding ? &*made.crowding : nullptr);
+    made.lines = object_lines(edges);
+    if (is_crowded) {
+        made.crowding.emplace(crowding_of(edges));
+        set_crowding(made.lines, *made.crowding);
+    }
     made_bytes_ += made.lines.lines.size() * sizeof(made.lines.lines[0]) + (made.crowding ? made.crowding->bytes() : 0);
     return made;
 }

@@ -92,19 +92,6 @@ void set_strokes(std::vector<ObjectLine>& lines)
     for (std::size_t i = 0; i < lines.size(); ++i) lines[i].stroke = strokes[i];
 }
 
-void set_crowding(std::vector<ObjectLine>& lines, const LineCrowding& crowding)
-{
-    std::vector<glm::vec3> places;  // of each line both ends and the middle
-    places.reserve(3 * lines.size());
-    for (const ObjectLine& line : lines) {
-        const auto& [a, b] = line.ends;
-        places.insert(places.end(), {a, b, 0.5f * (a + b)});
-    }
-    const std::vector<glm::vec4> crowds = crowding.at(places);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        lines[i].crowding = crowding_of_line(crowds[3 * i], crowds[3 * i + 1], crowds[3 * i + 2]);
-}
-
 }  // namespace
 
 const ObjectLine* ObjectLines::find(LineSource source) const
@@ -114,14 +101,7 @@ const ObjectLine* ObjectLines::find(LineSource source) const
     return found != by_source.end() && lines[*found].source == source ? &lines[*found] : nullptr;
 }
 
-LineCrowding crowding_of(const ObjectEdges& edges)
-{
-    std::vector<std::array<glm::vec3, 2>> pieces;
-    for (const ObjectIntersection& piece : edges.extras.intersections) pieces.push_back(piece.ends);
-    return LineCrowding(crowding_lines(edges.surface, edges.crease_rad, &edges.extras.seams, pieces));
-}
-
-ObjectLines object_lines(const ObjectEdges& edges, const LineCrowding* crowding)
+ObjectLines object_lines(const ObjectEdges& edges)
 {
     const EdgeClasses classes = classes_at(edges.surface, edges.crease_rad);
     LineCollector collector(edges);
@@ -135,13 +115,37 @@ ObjectLines object_lines(const ObjectEdges& edges, const LineCrowding* crowding)
 
     ObjectLines result{.lines = std::move(collector.lines), .by_source = {}};
     set_strokes(result.lines);
-    if (crowding != nullptr) set_crowding(result.lines, *crowding);
     result.by_source.resize(result.lines.size());
     std::iota(result.by_source.begin(), result.by_source.end(), 0u);
     tbb::parallel_sort(result.by_source.begin(), result.by_source.end(), [&](std::uint32_t a, std::uint32_t b) {
         return result.lines[a].source < result.lines[b].source;
     });
     return result;
+}
+
+LineCrowding crowding_of(const ObjectEdges& edges, std::optional<std::span<const glm::vec3>> places)
+{
+    std::vector<std::array<glm::vec3, 2>> pieces;
+    for (const ObjectIntersection& piece : edges.extras.intersections) pieces.push_back(piece.ends);
+    return LineCrowding(crowding_lines(edges.surface, edges.crease_rad, &edges.extras.seams, pieces), places);
+}
+
+std::vector<glm::vec3> crowding_places(const ObjectLines& lines)
+{
+    std::vector<glm::vec3> places;  // of each line both ends and the middle
+    places.reserve(3 * lines.lines.size());
+    for (const ObjectLine& line : lines.lines) {
+        const auto& [a, b] = line.ends;
+        places.insert(places.end(), {a, b, 0.5f * (a + b)});
+    }
+    return places;
+}
+
+void set_crowding(ObjectLines& lines, const LineCrowding& crowding)
+{
+    const std::vector<glm::vec4> crowds = crowding.at(crowding_places(lines));
+    for (std::size_t i = 0; i < lines.lines.size(); ++i)
+        lines.lines[i].crowding = crowding_of_line(crowds[3 * i], crowds[3 * i + 1], crowds[3 * i + 2]);
 }
 
 }  // namespace hw

@@ -50,10 +50,16 @@ struct ObjectEdges {
     bool is_culled = true;  ///< Faces that look away from the eye are not drawn.
 };
 
-/// How crowded the lines of an object are, its silhouettes and its extras among them.
-LineCrowding crowding_of(const ObjectEdges& edges);
+/// The lines of an object, not crowded by any.
+ObjectLines object_lines(const ObjectEdges& edges);
 
-/// The lines of an object. `crowding`: of the same object, or null where no style thins far lines.
-ObjectLines object_lines(const ObjectEdges& edges, const LineCrowding* crowding);
+/// How crowded the lines of an object are, its silhouettes and its extras among them. `places` as LineCrowding says.
+LineCrowding crowding_of(const ObjectEdges& edges, std::optional<std::span<const glm::vec3>> places = std::nullopt);
+
+/// Where set_crowding() asks.
+std::vector<glm::vec3> crowding_places(const ObjectLines& lines);
+
+/// Sets how crowded the lines of an object are.
+void set_crowding(ObjectLines& lines, const LineCrowding& crowding);
 
 }  // namespace hw

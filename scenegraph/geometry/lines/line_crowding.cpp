@@ -21,6 +21,7 @@ constexpr double kMostSamples = 131072.0;  // about: fine meshes get wider windo
 constexpr float kCreaseShare = 0.75f;      // of a crease: from how many places one of its two faces is seen
 constexpr float kTurn = 0.25f;             // share of a smooth edge for each radian of its fold, see crowding_lines()
 constexpr float kScaleStep = 4.0f;
+constexpr double kFewLines = 1.25;  // samples for each of lines laid end to end: shorter lines share cells
 constexpr float kFreeLines = 2.0f;  // side by side in a window before any is thinned: near views stay whole
 
 /// Weights of three nodes in a row, the middle one closest.
@@ -55,18 +56,23 @@ struct Nodes {
         for (int axis = 0; axis < 3; ++axis) weights[axis] = spline(at[axis] - rounded[axis]);
     }
 
-    /// `brick_at` turns a brick's key, and which of 2 x 2 x 2 neighbours it is, into the brick, which stays where it is
-    /// until this returns; `use` gets node and weight.
-    template <typename BrickAt, typename Use>
-    void for_each(BrickAt&& brick_at, Use&& use) const
+    /// `visit` gets the key of each brick that they lie in, which of 2 x 2 x 2 neighbours it is for all, and for these.
+    template <typename Visit>
+    void for_each_brick(Visit&& visit) const
     {
         const glm::ivec3 first = low >> 2, last = (low + 2) >> 2;
-        std::array<decltype(brick_at(0, 0)), 8> bricks{};
         for (int x = first.x; x <= last.x; ++x)
             for (int y = first.y; y <= last.y; ++y)
                 for (int z = first.z; z <= last.z; ++z)
-                    bricks[(x - first.x) * 4 + (y - first.y) * 2 + z - first.z] =
-                        brick_at(key_of({x, y, z}), (x & 1) * 4 + (y & 1) * 2 + (z & 1));
+                    visit(key_of({x, y, z}), (x & 1) * 4 + (y & 1) * 2 + (z & 1),
+                          (x - first.x) * 4 + (y - first.y) * 2 + z - first.z);
+    }
+
+    /// The bricks stand in the order that for_each_brick() tells last; `use` gets node and weight.
+    template <typename Brick, typename Use>
+    void for_each(const std::array<Brick*, 8>& bricks, Use&& use) const
+    {
+        const glm::ivec3 first = low >> 2;
         for (int x = 0; x < 3; ++x)
             for (int y = 0; y < 3; ++y)
                 for (int z = 0; z < 3; ++z) {
@@ -171,12 +177,7 @@ std::size_t LineCrowding::bytes() const
     return sum;
 }
 
-LineCrowding::Lengths::Lengths(float cell, std::size_t sample_count) : cell_(cell)
-{
-    std::size_t size = 64;
-    while (size < sample_count) size *= 2;
-    slots_.resize(size);
-}
+LineCrowding::Lengths::Lengths(float cell) : cell_(cell), slots_(64) {}
 
 std::size_t LineCrowding::Lengths::slot_of(std::uint64_t key) const
 {
@@ -185,14 +186,19 @@ std::size_t LineCrowding::Lengths::slot_of(std::uint64_t key) const
     return at;
 }
 
+std::uint32_t LineCrowding::Lengths::found(std::uint64_t key) const
+{
+    const Slot& slot = slots_[slot_of(key)];
+    return slot.key == 0 ? kNoBrick : slot.brick;
+}
+
 std::uint32_t LineCrowding::Lengths::made(std::uint64_t key)
 {
-    Slot& slot = slots_[slot_of(key)];
-    if (slot.key == 0) {
-        slot = {key, static_cast<std::uint32_t>(bricks_.size())};
-        bricks_.emplace_back();
-    }
-    return slot.brick;
+    if (const std::uint32_t brick = found(key); brick != kNoBrick) return brick;
+    if (2 * (bricks_.size() + 1) > slots_.size()) grow();
+    slots_[slot_of(key)] = {key, static_cast<std::uint32_t>(bricks_.size())};
+    bricks_.emplace_back();
+    return static_cast<std::uint32_t>(bricks_.size() - 1);
 }
 
 void LineCrowding::Lengths::grow()
@@ -203,37 +209,44 @@ void LineCrowding::Lengths::grow()
         if (slot.key != 0) slots_[slot_of(slot.key)] = slot;
 }
 
+void LineCrowding::Lengths::make_room(const glm::vec3& place)
+{
+    Nodes(place, cell_).for_each_brick([&](std::uint64_t key, int corner, int) {
+        near_.brick(key, corner, [&] { return made(key); });
+    });
+}
+
 void LineCrowding::Lengths::add(const glm::vec3& place, float length)
 {
-    constexpr std::size_t kMostBricks = 8;
-    if (2 * (bricks_.size() + kMostBricks) > slots_.size()) grow();
-    if (bricks_.capacity() - bricks_.size() < kMostBricks) bricks_.reserve(2 * bricks_.size() + 64);
-    const auto brick_at = [&](std::uint64_t key, int corner) {
-        return &bricks_[near_.brick(key, corner, [&] { return made(key); })];
-    };
-    Nodes(place, cell_).for_each(brick_at, [&](float& node, float weight) { node += weight * length; });
+    const Nodes nodes(place, cell_);
+    Brick nowhere{};
+    std::array<Brick*, 8> bricks;
+    bool is_anywhere = false;
+    nodes.for_each_brick([&](std::uint64_t key, int corner, int at) {
+        const std::uint32_t brick = near_.brick(key, corner, [&] { return found(key); });
+        bricks[at] = brick == kNoBrick ? &nowhere : &bricks_[brick];
+        is_anywhere |= brick != kNoBrick;
+    });
+    if (is_anywhere) nodes.for_each(bricks, [&](float& node, float weight) { node += weight * length; });
 }
 
 float LineCrowding::Lengths::lines_at(const glm::vec3& place, NearBricks& near) const
 {
     static constexpr Brick kNothing{};
-    constexpr std::uint32_t kNoBrick = ~0u;
-    const auto brick_at = [&](std::uint64_t key, int corner) {
-        const std::uint32_t brick = near.brick(key, corner, [&] {
-            const Slot& slot = slots_[slot_of(key)];
-            return slot.key == 0 ? kNoBrick : slot.brick;
-        });
-        return brick == kNoBrick ? &kNothing : &bricks_[brick];
-    };
     const Nodes nodes(place, cell_);
+    std::array<const Brick*, 8> bricks;
+    nodes.for_each_brick([&](std::uint64_t key, int corner, int at) {
+        const std::uint32_t brick = near.brick(key, corner, [&] { return found(key); });
+        bricks[at] = brick == kNoBrick ? &kNothing : &bricks_[brick];
+    });
     float sum = 0.0f, own = 1.0f;
-    nodes.for_each(brick_at, [&](float node, float weight) { sum += weight * node; });
+    nodes.for_each(bricks, [&](float node, float weight) { sum += weight * node; });
     // What a line through the place adds: its length in a window, as much of it as is collected across it.
     for (const auto& w : nodes.weights) own *= w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     return sum / (cell_ * std::cbrt(own * own));
 }
 
-LineCrowding::LineCrowding(std::span<const CrowdingLine> lines)
+LineCrowding::LineCrowding(std::span<const CrowdingLine> lines, std::optional<std::span<const glm::vec3>> places)
 {
     Box box;
     double length = 0.0;
@@ -246,11 +259,19 @@ LineCrowding::LineCrowding(std::span<const CrowdingLine> lines)
     const double extent = std::max({size.x, size.y, size.z});
     window_ = static_cast<float>(std::max(extent / kWindowsAcross, 2.0 * length / kMostSamples));
     origin_ = glm::vec3(box.centre());
-    std::vector<Sample> samples = sampled(lines, origin_, 0.5f * window_);
+    std::vector<Sample> samples;
     float cell = window_;
     for (int scale = 0; scale < kScales; ++scale, cell *= kScaleStep) {
-        samples = joined(samples, 0.5f * cell);
-        Lengths& lengths = scales_.emplace_back(cell, samples.size());
+        const double along = length / cell;
+        if (samples.empty() || along + static_cast<double>(lines.size()) < static_cast<double>(samples.size()))
+            samples = sampled(lines, origin_, cell);
+        if (static_cast<double>(samples.size()) > kFewLines * along) samples = joined(samples, 0.5f * cell);
+        Lengths& lengths = scales_.emplace_back(cell);
+        if (places) {
+            for (const glm::vec3& place : *places) lengths.make_room(place - origin_);
+        } else {
+            for (const Sample& s : samples) lengths.make_room(s.place);
+        }
         for (const Sample& s : samples) lengths.add(s.place, s.length);
     }
 }

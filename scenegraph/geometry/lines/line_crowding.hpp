@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,8 +35,10 @@ class LineCrowding {
  public:
     static constexpr int kScales = 4;
 
-    /// Object space, any number of lines.
-    explicit LineCrowding(std::span<const CrowdingLine> lines);
+    /// Object space, any number of lines. `places`: where alone it will be asked for, which takes far less; without
+    /// them, anywhere.
+    explicit LineCrowding(std::span<const CrowdingLine> lines,
+                          std::optional<std::span<const glm::vec3>> places = std::nullopt);
 
     std::size_t bytes() const;  ///< That this takes.
 
@@ -74,7 +77,10 @@ class LineCrowding {
     /// nodes around a place lie in few of them.
     class Lengths {
      public:
-        explicit Lengths(float cell, std::size_t sample_count);
+        explicit Lengths(float cell);
+        /// Makes the nodes around a place; before lengths are added.
+        void make_room(const glm::vec3& place);
+        /// Adds to those nodes around a place that were made.
         void add(const glm::vec3& place, float length);
         std::size_t bytes() const { return slots_.capacity() * sizeof(Slot) + bricks_.capacity() * sizeof(Brick); }
         /// Lines across a window around a place.
@@ -82,19 +88,21 @@ class LineCrowding {
 
      private:
         using Brick = std::array<float, 64>;
+        static constexpr std::uint32_t kNoBrick = ~0u;
         struct Slot {
             std::uint64_t key = 0;
             std::uint32_t brick = 0;
         };
         /// The slot of a brick, or the empty one where it would be.
         std::size_t slot_of(std::uint64_t key) const;
+        std::uint32_t found(std::uint64_t key) const;
         std::uint32_t made(std::uint64_t key);
         void grow();
 
         float cell_;
         std::vector<Slot> slots_;
         std::vector<Brick> bricks_;
-        NearBricks near_;  ///< For add().
+        NearBricks near_;  ///< For make_room() and add().
     };
 
     glm::vec4 at(const glm::vec3& place, Near& near) const;

@@ -73,8 +73,12 @@ void append_line(std::vector<LineVertex>& vertices, const ObjectLine& line)
 
 LineMeshData line_mesh_data(const ObjectEdges& edges)
 {
-    const LineCrowding crowding = crowding_of(edges);
-    const ObjectLines lines = object_lines(edges, &crowding);
+    ObjectLines lines = object_lines(edges);
+    const bool has_silhouettes = classes_at(edges.surface, edges.crease_rad).candidate_count() > 0;
+    std::vector<glm::vec3> places = crowding_places(lines);
+    if (has_silhouettes) places.insert(places.end(), edges.surface.positions.begin(), edges.surface.positions.end());
+    const LineCrowding crowding = crowding_of(edges, places);
+    set_crowding(lines, crowding);
     LineMeshData mesh;
     mesh.vertices.reserve(4 * lines.lines.size());
     for (const ObjectLine& line : lines.lines) {
@@ -85,8 +89,7 @@ LineMeshData line_mesh_data(const ObjectEdges& edges)
         ++mesh.runs.back().count;
     }
     mesh.crowding_window = crowding.window();
-    if (classes_at(edges.surface, edges.crease_rad).candidate_count() > 0)
-        mesh.crowding = crowding.at(edges.surface.positions);
+    if (has_silhouettes) mesh.crowding = crowding.at(edges.surface.positions);
     return mesh;
 }
 
