@@ -202,7 +202,7 @@ void LinePieces::add_stretches(const Segment& segment, std::vector<Stretch>& str
 {
     const ImagePoint &from = segment.from, &to = segment.to;
     add_overshoot(segment, from, to, stretches);
-    const auto [thin, wide] = std::minmax(width_at(segment, from), width_at(segment, to));
+    const auto [thin, wide] = std::minmax({width_at(segment, from), width_at(segment, to)});
     const double steps = wide > kThinnestPx ? std::log(wide / std::max(thin, kThinnestPx)) / std::log(kStep) : 0.0;
     int parts = std::clamp(static_cast<int>(std::ceil(steps)), 1, kMostPieces);
     if (segment.is_by_hand()) {

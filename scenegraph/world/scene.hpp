@@ -112,7 +112,8 @@ struct Scene {
     std::vector<MeshData> meshes;  ///< One for each glTF primitive (of triangles) that is used.
     /// Of objects whose mesh was brought near its origin (io/model/settle_meshes.hpp).
     std::vector<glm::dmat4> places;
-    std::uint32_t turned_triangles = 0;  ///< Of all meshes: wound against the rest of their component in the file.
+    std::uint32_t turned_triangles = 0;    ///< Of all meshes: wound against the rest of their component in the file.
+    std::uint32_t left_out_triangles = 0;  ///< Of meshes that show both sides: had the corners of another one.
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Pixels> images;

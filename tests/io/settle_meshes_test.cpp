@@ -48,6 +48,24 @@ TEST(settle_meshes, turned_triangles_are_turned_back_whatever_the_matrices_mirro
     EXPECT_EQ(scene.meshes[0].indices, box({-1, -1, -1}, {1, 1, 1}).indices);
 }
 
+TEST(settle_meshes, what_is_shown_from_both_sides_has_no_triangle_twice)
+{
+    const hw::MeshData one = box({-1, -1, -1}, {1, 1, 1});
+    hw::MeshData both = one;
+    for (std::size_t i = 0; i < one.indices.size(); i += 3)
+        both.indices.insert(both.indices.end(), {one.indices[i + 2], one.indices[i + 1], one.indices[i]});
+    hw::Scene scene = scene_of(both, {glm::dmat4(1.0), glm::dmat4(1.0)});
+    hw::settle_meshes(scene);
+    EXPECT_EQ(scene.meshes[0].indices, both.indices) << "each culls the other";
+    EXPECT_EQ(scene.left_out_triangles, 0u);
+
+    scene = scene_of(both, {glm::dmat4(1.0), glm::dmat4(1.0)});
+    scene.materials[0].is_double_sided = true;
+    hw::settle_meshes(scene);
+    EXPECT_EQ(scene.meshes[0].indices, one.indices);
+    EXPECT_EQ(scene.left_out_triangles, 12u);
+}
+
 TEST(settle_meshes, vertices_far_from_the_origin_are_brought_near_and_stay_where_they_are)
 {
     for (const double far : {1e6, 8e6, -3e6}) {

@@ -48,6 +48,7 @@ MeshTotals totals_of(const Scene& scene)
     for (ObjectId id = 0; id < scene.objects.size(); ++id) surfaces.of(id);
     MeshTotals totals;
     totals.report.flipped_faces = scene.turned_triangles;
+    totals.report.doubled_faces = scene.left_out_triangles;
     for (const auto& [key, surface] : surfaces.all()) {
         const SurfaceReport& report = surface.report;
         totals.report.triangles_in += report.triangles_in;

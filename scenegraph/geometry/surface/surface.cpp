@@ -47,7 +47,7 @@ class SurfaceBuild {
         surface_.two_sided_faces = std::move(repaired.two_sided_faces);
         surface_.face_component = std::move(repaired.face_component);
         surface_.components.resize(repaired.component_count);
-        report.doubled_faces = repaired.doubled_faces;
+        report.doubled_faces = static_cast<std::uint32_t>(repaired.doubled_triangles.size());
         report.stitched_edges = repaired.stitched_edges;
         report.pinholes = repaired.pinholes;
         report.t_junction_edges = repaired.t_junction_edges;

@@ -61,12 +61,13 @@ class MeshRepair {
         const DoubledFaces doubled = find_doubled_faces(made_.faces, made_.uses, made_.face_triangle);
         if (doubled.is_dropped.empty()) return;
         const std::size_t count = made_.faces.size();
+        for (std::size_t face = 0; face < count; ++face)
+            if (doubled.is_dropped[face]) made_.doubled_triangles.push_back(made_.face_triangle[face]);
         made_.two_sided_faces.assign(doubled.is_two_sided.begin(), doubled.is_two_sided.end());
         const std::vector<std::uint32_t> new_number =
             keep_faces([&](std::size_t face) { return !doubled.is_dropped[face]; });
         for (DirectedEdge& use : made_.uses) use.face = new_number[use.face];
         std::erase_if(made_.uses, [](const DirectedEdge& use) { return use.face == kNoFace; });
-        made_.doubled_faces = static_cast<std::uint32_t>(count - made_.faces.size());
     }
 
     void stitch()
@@ -159,88 +160,11 @@ class MeshRepair {
     float tolerance_ = 0.0f;
 };
 
-/// Most meshes are closed and wound alike, which a look at their edges tells.
-bool is_closed_and_consistent(const WeldedMesh& mesh)
-{
-    bool is_good = true;
-    for_each_edge(sorted_directed_edges(mesh.faces), [&](std::span<const DirectedEdge> edge) {
-        is_good &= edge.size() == 2 && edge[0].is_forward != edge[1].is_forward;
-    });
-    return is_good;
-}
-
-/// Which components have edges that are not of exactly two faces.
-std::vector<bool> open_components(const RepairedMesh& mesh)
-{
-    std::vector<bool> is_open(mesh.component_count, false);
-    for_each_edge(mesh.uses, [&](std::span<const DirectedEdge> edge) {
-        if (edge.size() == 2) return;
-        for (const DirectedEdge& use : edge) is_open[mesh.face_component[use.face]] = true;
-    });
-    return is_open;
-}
-
-/// Along the normal that the winding gives, twice as long as the area.
-glm::dvec3 area_of(const MeshData& mesh, std::uint32_t triangle)
-{
-    const auto place = [&](std::size_t corner) {
-        return glm::dvec3(mesh.positions[mesh.indices[3 * std::size_t{triangle} + corner]]);
-    };
-    return glm::cross(place(1) - place(0), place(2) - place(0));
-}
-
-bool do_normals_agree(const MeshData& mesh, std::uint32_t triangle)
-{
-    if (!mesh.has_own_normals) return false;
-    glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i < 3; ++i) sum += glm::dvec3(mesh.normals[mesh.indices[3 * std::size_t{triangle} + i]]);
-    return glm::dot(sum, area_of(mesh, triangle)) > 0.0;
-}
-
 }  // namespace
 
 RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share)
 {
     return MeshRepair(std::move(mesh), stitch_share).run();
-}
-
-std::vector<std::uint32_t> wrongly_wound_triangles(const MeshData& mesh)
-{
-    WeldedMesh welded = weld(mesh);
-    if (is_closed_and_consistent(welded)) return {};
-    const RepairedMesh repaired = repair_mesh(std::move(welded), kStitchShare);
-    const std::vector<bool> is_open = open_components(repaired);
-    std::vector<std::uint32_t> triangles;
-    for (const std::uint32_t face : repaired.flipped_faces) {
-        const std::uint32_t triangle = repaired.face_triangle[face];
-        const bool is_meant = is_open[repaired.face_component[face]] && do_normals_agree(mesh, triangle);
-        if (!is_meant) triangles.push_back(triangle);
-    }
-    std::sort(triangles.begin(), triangles.end());
-    return triangles;
-}
-
-void turn_over(MeshData& mesh, const std::vector<std::uint32_t>& triangles)
-{
-    for (const std::uint32_t triangle : triangles)
-        std::swap(mesh.indices[3 * std::size_t{triangle} + 1], mesh.indices[3 * std::size_t{triangle} + 2]);
-    if (triangles.empty() || mesh.normals.empty()) return;
-    std::vector<bool> is_kept(mesh.positions.size(), false);  // also used by another triangle
-    auto next = triangles.begin();
-    for (std::uint32_t triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
-        if (next != triangles.end() && *next == triangle) {
-            ++next;
-            continue;
-        }
-        for (std::size_t i = 0; i < 3; ++i) is_kept[mesh.indices[3 * std::size_t{triangle} + i]] = true;
-    }
-    for (const std::uint32_t triangle : triangles) {
-        const std::uint32_t* const corner = &mesh.indices[3 * std::size_t{triangle}];
-        const glm::dvec3 area = area_of(mesh, triangle);
-        for (int i = 0; i < 3; ++i)
-            if (!is_kept[corner[i]] && glm::dot(glm::dvec3(mesh.normals[corner[i]]), area) < 0.0)
-                mesh.normals[corner[i]] = -mesh.normals[corner[i]];
-    }
 }
 
 }  // namespace hw

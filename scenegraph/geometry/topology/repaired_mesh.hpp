@@ -21,11 +21,11 @@ struct RepairedMesh {
     std::vector<std::uint32_t> face_component;  ///< Connected over edges of exactly two faces.
     std::uint32_t component_count = 0;
 
-    std::uint32_t doubled_faces = 0;           ///< Left out: see find_doubled_faces().
-    std::uint32_t stitched_edges = 0;          ///< Pairs of borders that became one edge.
-    std::uint32_t pinholes = 0;                ///< Holes that became a point.
-    std::uint32_t t_junction_edges = 0;        ///< Borders that got caps.
-    std::vector<std::uint32_t> flipped_faces;  ///< Turned over, and not two-sided; rising.
+    std::vector<std::uint32_t> doubled_triangles;  ///< Left out: see find_doubled_faces().
+    std::uint32_t stitched_edges = 0;              ///< Pairs of borders that became one edge.
+    std::uint32_t pinholes = 0;                    ///< Holes that became a point.
+    std::uint32_t t_junction_edges = 0;            ///< Borders that got caps.
+    std::vector<std::uint32_t> flipped_faces;      ///< Turned over, and not two-sided; rising.
 };
 
 /// In this order: joins doubled faces, stitches borders closer than `stitch_share` of the bounding box' diagonal,
@@ -34,13 +34,5 @@ RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share);
 
 /// The share of the bounding box' diagonal within which borders are joined.
 inline constexpr float kStitchShare = 1e-5f;
-
-/// The triangles that the repair turns over, rising: what is to be done to a mesh before anything culls, lights or
-/// collides by its winding. In a component that is open, one whose own normals look where its winding does stays:
-/// levels are full of walls that meet back to front.
-std::vector<std::uint32_t> wrongly_wound_triangles(const MeshData& mesh);
-
-/// Turns them over. A normal of a vertex that only they use is turned too where it looks to their back.
-void turn_over(MeshData& mesh, const std::vector<std::uint32_t>& triangles);
 
 }  // namespace hw

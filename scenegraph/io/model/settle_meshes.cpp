@@ -7,8 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
-#include "hatchway/geometry/topology/repaired_mesh.hpp"
-#include "hatchway/geometry/topology/sheets.hpp"
+#include "hatchway/geometry/topology/mesh_faults.hpp"
 
 namespace hw {
 namespace {
@@ -56,16 +55,23 @@ glm::vec3 bring_near(MeshData& mesh)
 void settle_meshes(Scene& scene)
 {
     std::vector<glm::vec3> origins(scene.meshes.size());
-    std::vector<std::uint32_t> turned(scene.meshes.size());
+    std::vector<std::uint32_t> turned(scene.meshes.size()), left_out(scene.meshes.size());
     const std::vector<char> is_double_sided = double_sided_meshes(scene);
     tbb::parallel_for(std::size_t{0}, scene.meshes.size(), [&](std::size_t i) {
-        const std::vector<std::uint32_t> triangles = wrongly_wound_triangles(scene.meshes[i]);
-        turn_over(scene.meshes[i], triangles);
-        turned[i] = static_cast<std::uint32_t>(triangles.size());
-        if (is_double_sided[i] != 0) turn_over(scene.meshes[i], triangles_of_turned_sheets(scene.meshes[i]));
-        origins[i] = bring_near(scene.meshes[i]);
+        MeshData& mesh = scene.meshes[i];
+        MeshFaults faults = find_mesh_faults(mesh);
+        if (is_double_sided[i] != 0 && !faults.doubled.empty()) {
+            leave_out(mesh, faults.doubled);
+            left_out[i] = static_cast<std::uint32_t>(faults.doubled.size());
+            faults = find_mesh_faults(mesh);
+        }
+        turn_over(mesh, faults.wrongly_wound);
+        turned[i] = static_cast<std::uint32_t>(faults.wrongly_wound.size());
+        if (is_double_sided[i] != 0) turn_over(mesh, faults.of_turned_sheets);
+        origins[i] = bring_near(mesh);
     });
     scene.turned_triangles = std::accumulate(turned.begin(), turned.end(), 0u);
+    scene.left_out_triangles = std::accumulate(left_out.begin(), left_out.end(), 0u);
     for (Object& object : scene.objects) {
         const glm::dvec3 origin(origins[object.mesh]);
         if (origin == glm::dvec3(0.0)) continue;

@@ -12,7 +12,7 @@
 
 #include "hatchway/geometry/lines/visible_lines.hpp"
 #include "hatchway/geometry/surface/surface.hpp"
-#include "hatchway/geometry/topology/sheets.hpp"
+#include "hatchway/geometry/topology/mesh_faults.hpp"
 #include "hatchway/geometry/topology/shell.hpp"
 #include "tests/geometry/test_meshes.hpp"
 
@@ -232,30 +232,39 @@ TEST(t_junctions, a_corner_that_only_touches_a_border_joins_nothing)
     EXPECT_EQ(hw::build_surface(mesh).report.t_junction_edges, 0u);
 }
 
+namespace {
+
+std::vector<std::uint32_t> wrongly_wound(const hw::MeshData& mesh)
+{
+    return hw::find_mesh_faults(mesh).wrongly_wound;
+}
+
+}  // namespace
+
 TEST(winding, turned_triangles_of_closed_solids_are_found_in_every_component)
 {
     const std::vector<std::uint32_t> few{3, 7}, many{0, 2, 4, 9, 11};
     const hw::MeshData two =
         joined({with_turned(box({-1, -1, -1}, {1, 1, 1}), few), with_turned(box({3, 0, 0}, {4, 1, 1}), many)});
     const std::vector<std::uint32_t> expected{3, 7, 12, 14, 16, 21, 23};
-    EXPECT_EQ(hw::wrongly_wound_triangles(two), expected);
+    EXPECT_EQ(wrongly_wound(two), expected);
     hw::MeshData repaired = two;
     hw::turn_over(repaired, expected);
     EXPECT_NEAR(volume(repaired), 9.0, 1e-6);
-    EXPECT_TRUE(hw::wrongly_wound_triangles(repaired).empty());
+    EXPECT_TRUE(wrongly_wound(repaired).empty());
 }
 
 TEST(winding, of_two_equal_halves_the_solid_is_kept)
 {
     const std::vector<std::uint32_t> half{0, 1, 2, 3, 4, 5};
     hw::MeshData mesh = with_turned(box({-1, -1, -1}, {1, 1, 1}), half);
-    hw::turn_over(mesh, hw::wrongly_wound_triangles(mesh));
+    hw::turn_over(mesh, wrongly_wound(mesh));
     EXPECT_NEAR(volume(mesh), 8.0, 1e-6);
 }
 
 TEST(winding, a_room_is_left_as_it_is)
 {
-    EXPECT_TRUE(hw::wrongly_wound_triangles(turned_over(box({-1, -1, -1}, {1, 1, 1}))).empty());
+    EXPECT_TRUE(wrongly_wound(turned_over(box({-1, -1, -1}, {1, 1, 1}))).empty());
 }
 
 TEST(winding, a_normal_that_looked_to_the_back_turns_with_its_triangle)
@@ -263,7 +272,7 @@ TEST(winding, a_normal_that_looked_to_the_back_turns_with_its_triangle)
     const std::vector<std::uint32_t> one{4};
     const hw::MeshData flat = flat_shaded(with_turned(box({-1, -1, -1}, {1, 1, 1}), one));
     hw::MeshData mesh = flat;
-    hw::turn_over(mesh, hw::wrongly_wound_triangles(mesh));
+    hw::turn_over(mesh, wrongly_wound(mesh));
     EXPECT_EQ(mesh.normals[mesh.indices[12]], -flat.normals[flat.indices[12]]);
     EXPECT_EQ(mesh.normals[mesh.indices[0]], flat.normals[flat.indices[0]]);
 }
@@ -273,18 +282,18 @@ TEST(winding, in_an_open_mesh_a_triangle_stays_whose_own_normals_look_where_its_
     const std::vector<std::uint32_t> one{3};
     hw::MeshData mesh = flat_shaded(with_turned(cup(), one));
     mesh.has_own_normals = true;
-    EXPECT_TRUE(hw::wrongly_wound_triangles(mesh).empty());
+    EXPECT_TRUE(wrongly_wound(mesh).empty());
     mesh.has_own_normals = false;
-    EXPECT_EQ(hw::wrongly_wound_triangles(mesh), one);
+    EXPECT_EQ(wrongly_wound(mesh), one);
     mesh.has_own_normals = true;
     for (std::size_t i = 9; i < 12; ++i) mesh.normals[mesh.indices[i]] *= -1.0f;
-    EXPECT_EQ(hw::wrongly_wound_triangles(mesh), one);
+    EXPECT_EQ(wrongly_wound(mesh), one);
 }
 
 TEST(winding, of_sheets_from_both_sides_nothing_is_turned)
 {
-    EXPECT_TRUE(hw::wrongly_wound_triangles(doubled(sphere(16, 12), true)).empty());
-    EXPECT_TRUE(hw::wrongly_wound_triangles(doubled(folded_sheet(), false)).empty());
+    EXPECT_TRUE(wrongly_wound(doubled(sphere(16, 12), true)).empty());
+    EXPECT_TRUE(wrongly_wound(doubled(folded_sheet(), false)).empty());
 }
 
 TEST(winding, what_is_closed_and_wound_alike_is_a_shell)
@@ -304,7 +313,7 @@ TEST(winding, sheets_wind_the_same_way_however_they_wound)
 {
     const hw::MeshData floor = sheet(2, [](float x, float) { return 0.1f * x; });
     hw::MeshData up = floor, down = turned_over(floor);
-    for (hw::MeshData* mesh : {&up, &down}) hw::turn_over(*mesh, hw::triangles_of_turned_sheets(*mesh));
+    for (hw::MeshData* mesh : {&up, &down}) hw::turn_over(*mesh, hw::find_mesh_faults(*mesh).of_turned_sheets);
     for (std::size_t i = 0; i < up.indices.size(); i += 3) {
         const auto corner = [](const hw::MeshData& mesh, std::size_t k) { return mesh.positions[mesh.indices[k]]; };
         const auto normal = [&](const hw::MeshData& mesh) {
@@ -313,7 +322,7 @@ TEST(winding, sheets_wind_the_same_way_however_they_wound)
         EXPECT_GT(normal(up).y, 0.0f);
         EXPECT_GT(normal(down).y, 0.0f);
     }
-    EXPECT_TRUE(hw::triangles_of_turned_sheets(turned_over(sphere(16, 12))).empty());
+    EXPECT_TRUE(hw::find_mesh_faults(turned_over(sphere(16, 12))).of_turned_sheets.empty());
 }
 
 namespace {
