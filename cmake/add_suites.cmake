@@ -1,7 +1,7 @@
 # Read by ctest, not by cmake: asks a test binary for its suites.
-# hatchway_add_suites(NAME BINARY RESULTS LABELS CMAKE): each suite of BINARY is one test, NAME.SUITE, which writes its cases into
-# the folder RESULTS. A binary that is not there is a test that fails, so that nobody takes it for passed.
-function(hatchway_add_suites name binary results labels cmake)
+# hatchway_add_suites(NAME BINARY RESULTS LABELS CMAKE SLOWNESS): each suite of BINARY is one test, NAME.SUITE, which writes its
+# cases into the folder RESULTS; it may take SLOWNESS times as long as without sanitizers. A binary that is not there is a test that fails, so that nobody takes it for passed.
+function(hatchway_add_suites name binary results labels cmake slowness)
     if(NOT EXISTS "${binary}")
         add_test("${name}_is_not_built" "${cmake}" -E cat "${binary}")
         set_tests_properties("${name}_is_not_built" PROPERTIES LABELS "${labels}")
@@ -30,7 +30,7 @@ function(hatchway_add_suites name binary results labels cmake)
     foreach(suite ${suites})
         string(REPLACE "/" "_" file "${suite}")
         # Five minutes for the slowest case of a suite, and what the others need on a machine that is busy.
-        math(EXPR timeout "300 + 20 * ${cases_of_${suite}}")
+        math(EXPR timeout "${slowness} * (300 + 20 * ${cases_of_${suite}})")
         add_test("${name}.${suite}" "${binary}" "--gtest_filter=${suite}.*" --gtest_brief=1
                  "--gtest_output=xml:${results}/${name}.${file}.xml")
         set_tests_properties("${name}.${suite}" PROPERTIES LABELS "${labels}" TIMEOUT ${timeout})

@@ -82,7 +82,7 @@ function(hatchway_test name)
     set(suites "${CMAKE_CURRENT_BINARY_DIR}/test_${name}_suites.cmake")
     file(GENERATE OUTPUT "${suites}" CONTENT "include(\"${CMAKE_SOURCE_DIR}/cmake/add_suites.cmake\")
 hatchway_add_suites(${name} \"$<TARGET_FILE:test_${name}>\" \"${CMAKE_BINARY_DIR}/tests/results\" \"${name};${TEST_LABELS}\"
-                    \"${CMAKE_COMMAND}\")
+                    \"${CMAKE_COMMAND}\" $<IF:$<BOOL:${HATCHWAY_SANITIZE}>,6,1>)
 ")
     set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${suites}")
 endfunction()
