@@ -43,7 +43,7 @@ is_formatted() {
 
 # Names as .clang-tidy says; the compiler's own flags come from a build folder without precompiled headers.
 names_are_right() {
-    build tidy scenegraph/io/generated/compiled_level_generated.h || return 1
+    build tidy scenegraph/io/generated/compiled_level_generated.h hatchway_commit || return 1
     own_sources | grep -z '\.cpp$' |
         xargs -0 -P "$(nproc)" -n 4 clang-tidy --quiet -p build/tidy --checks='-*,readability-identifier-naming'
 }

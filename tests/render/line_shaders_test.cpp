@@ -22,7 +22,7 @@ namespace {
 constexpr int kSide = 32;  // numbers a call: kSide * kSide
 constexpr int kCalls = 12;
 constexpr float kWholeFold = 1.5707963f;
-const char* kShaderFolder = HATCHWAY_SOURCE_DIR "/tests/render/shaders";
+constexpr const char* kShaderFolder = HATCHWAY_SOURCE_DIR "/tests/render/shaders";
 
 /// The numbers of test_inputs.glsl.
 struct ShaderInputs {

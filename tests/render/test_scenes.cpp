@@ -12,7 +12,7 @@
 namespace hw::test {
 namespace {
 
-const char* kShaderFolder = HATCHWAY_SOURCE_DIR "/tests/render/shaders";
+constexpr const char* kShaderFolder = HATCHWAY_SOURCE_DIR "/tests/render/shaders";
 
 void add_quad(MeshData& mesh, const std::array<glm::vec3, 4>& corners)
 {
