@@ -25,7 +25,8 @@ constexpr std::array<Limit, kCostCount> kLimits{{{"nodes", limits::kMaxNodes},
                                                  {"steps of rules", limits::kMaxRuleSteps},
                                                  {"bytes of a line drawing", limits::kMaxLineBytes},
                                                  {"steps of hidden lines", limits::kMaxLineSteps},
-                                                 {"strokes", limits::kMaxStrokes}}};
+                                                 {"strokes", limits::kMaxStrokes},
+                                                 {"layers of faces and lines", limits::kMaxLayers}}};
 
 std::uint64_t most(Cost cost)
 {

@@ -19,8 +19,9 @@ enum class Cost : unsigned char {
     line_bytes,       ///< What a line drawing holds of its objects.
     line_steps,       ///< Of finding out which parts of its lines are hidden.
     strokes,          ///< That a bitmap is read as.
+    layers,           ///< Of faces and lines over a picture that a software renderer draws: render/frame_cost.hpp.
 };
-inline constexpr std::size_t kCostCount = 11;
+inline constexpr std::size_t kCostCount = 12;
 
 /// What is left of the limits (limits.hpp) while a level is opened. Every limit is multiplied by one factor, which the
 /// program's user can raise.

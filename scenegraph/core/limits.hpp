@@ -23,6 +23,7 @@ inline constexpr std::uint64_t kMaxRuleSteps = 2'000'000'000;      ///< Characte
 inline constexpr std::uint64_t kMaxLineBytes = 1'200'000'000;      ///< Positions and faces of a line drawing.
 inline constexpr std::uint64_t kMaxLineSteps = 3'000'000'000;      ///< Faces and contours looked at for its lines.
 inline constexpr std::uint64_t kMaxStrokes = 300'000;              ///< That a drawing of pixels is read as.
+inline constexpr std::uint64_t kMaxLayers = 4000;                  ///< Of faces over a picture's pixels, at the mean.
 inline constexpr int kMaxImageSide = 16384;                        ///< Width and height of one image.
 inline constexpr std::uint64_t kMaxImagePixels = 1ull << 27;       ///< Pixels of one image.
 inline constexpr std::uint64_t kMaxTotalImagePixels = 1ull << 28;  ///< Pixels of all images of one scene.

@@ -15,6 +15,8 @@ struct StyledObject {
     PresenceField presence;  ///< Of `over`; the first style keeps the rest.
     float certainty = 1.0f;
     std::map<MapKind, int> maps;
+
+    bool operator==(const StyledObject&) const = default;
 };
 
 /// A prepared style. The owner keeps it alive while anything may draw with it.

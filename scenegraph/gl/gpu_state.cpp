@@ -42,6 +42,13 @@ void set_blending(const PipelineState& state)
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
+void set_stencil(const PipelineState& state)
+{
+    enable(GL_STENCIL_TEST, state.takes_once);
+    glStencilFunc(GL_EQUAL, 0, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+}
+
 }  // namespace
 
 void GpuState::forget()
@@ -79,6 +86,7 @@ void GpuState::apply(const PipelineState& state)
     if (all || state.is_front_clockwise != old.is_front_clockwise)
         glFrontFace(state.is_front_clockwise ? GL_CW : GL_CCW);
     if (all || state.offset_factor != old.offset_factor || state.offset_units != old.offset_units) set_offset(state);
+    if (all || state.takes_once != old.takes_once) set_stencil(state);
     if (all || state.line_width_px != old.line_width_px) glLineWidth(state.line_width_px);
     if ((all || state.is_multisampled != old.is_multisampled) && epoxy_is_desktop_gl())
         enable(GL_MULTISAMPLE, state.is_multisampled);

@@ -25,6 +25,7 @@ struct PipelineState {
     float offset_units = 0.0f;
     float line_width_px = 1.0f;
     bool is_multisampled = true;
+    bool takes_once = false;  ///< A sample is left to the first that gets there, by the stencil.
 
     bool operator==(const PipelineState&) const = default;
 };

@@ -31,6 +31,7 @@ struct FrameView {
     VisibleSet visible;               ///< What may be seen from the camera.
     FramePlan plan;                   ///< Which style draws what of `visible`.
     std::vector<WantedImage> images;  ///< What the styles of `visible` need, in the order of making.
+    bool is_deep = false;             ///< So many faces lie over each other that it pays to ask which are seen.
 };
 
 /// What the phases leave for those after them. Textures belong to the device's pool and live as long as the frame.

@@ -4,6 +4,7 @@
 #include <future>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/render/repeats.hpp"
 
 namespace hw {
 namespace {
@@ -92,7 +93,9 @@ void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledOb
     edges.prepare(edge_demands(objects, new_needs));
     coordinates.get();
     for (const StreamUse& use : streams) gpu.mesh_of(use.object, use.streams);
+    std::vector<std::uint8_t> new_repeats = find_repeats(*input.scene, objects);
     // Nothing below throws.
+    repeats = std::move(new_repeats);
     needs = std::move(new_needs);
     style_maps = std::move(new_maps);
     images = std::move(new_images);

@@ -1,5 +1,8 @@
 #include "hatchway/render/opaque_faces.hpp"
 
+#include <algorithm>
+#include <ranges>
+
 namespace hw {
 namespace {
 
@@ -37,23 +40,26 @@ PipelineState state_after_depth(const Frame& frame, const FaceCall& call)
     return {.depth_test = DepthTest::equal, .writes_depth = false};
 }
 
-/// With one sample the software renderer ends hidden fragments by itself; a GPU does so always.
+/// With one sample the software renderer ends hidden fragments by itself, but not what lies at equal depth; a GPU does
+/// so always.
 bool asks_what_is_hidden(const Frame& frame)
 {
     const FrameOptions& options = frame.view.options;
-    return options.skips_hidden && options.samples > 1 && frame.device.context.device().is_software;
+    return options.skips_hidden && (options.samples > 1 || frame.view.is_deep) &&
+           frame.device.context.device().is_software;
 }
 
-/// What of the visible set is at the depth that the picture holds. All that may be seen is in it, whatever the order of
-/// drawing: objects of equal depth all are.
+/// What of the visible set has the last word in some sample: it is at the depth that the picture holds, and nothing
+/// that is drawn after it is, too. So however many faces lie at one place, each sample is shaded about once.
 VisibleSet ask_what_is_seen(const Frame& frame)
 {
     const VisibleSet pieces = in_pieces(frame.view.visible, kAskedTriangles);
     std::vector<std::uint8_t> is_asked(pieces.objects.size(), 0);
-    const PipelineState at_equal_depth{.depth_test = DepthTest::equal, .writes_depth = false};
-    for (const FaceCall& call : frame.results.opaque_faces) {
+    const PipelineState at_equal_depth{.depth_test = DepthTest::equal, .writes_depth = false, .takes_once = true};
+    for (const FaceCall& call : std::views::reverse(frame.results.opaque_faces)) {
         if (!has_plain_depth(frame, call)) continue;
         std::vector<SurfaceItem> items = surface_items_of(frame, call, pieces);
+        std::reverse(items.begin(), items.end());
         const auto asked = [&](const SurfaceItem& item) -> std::uint8_t& {
             return is_asked[FrameItems::slot(*item.item)];
         };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "hatchway/core/budget.hpp"
 #include "hatchway/core/error.hpp"
+#include "hatchway/render/frame_cost.hpp"
 #include "hatchway/render/frame_phases.hpp"
 #include "hatchway/render/products/engine_images.hpp"
 #include "hatchway/world/visibility/visibility.hpp"
@@ -48,6 +50,8 @@ struct Renderer::State {
     GpuTarget& target_of(glm::ivec2 size_px, int samples);
     void resolve(const View& view, const FrameOptions& options);
     void count(FrameStats& stats, const Frame& frame);
+    /// Throws hw::Error where it is too much. A graphics card draws in no time what takes a software renderer for ever.
+    FrameCost cost_of(const VisibleSet& visible, std::size_t image_count, glm::ivec2 size_px) const;
 
     RenderDevice device;
     GpuTarget picture;
@@ -138,6 +142,14 @@ void Renderer::State::count(FrameStats& stats, const Frame& frame)
     stats.programs_compiled = device.programs.compiled_count();
 }
 
+FrameCost Renderer::State::cost_of(const VisibleSet& visible, std::size_t image_count, glm::ivec2 size_px) const
+{
+    if (!device.context.device().is_software) return {};
+    const FrameCost cost = frame_cost(*scene, visible, image_count, size_px);
+    Budget().require(Cost::layers, static_cast<std::uint64_t>(cost.face_layers + cost.line_layers), "", "");
+    return cost;
+}
+
 FrameStats Renderer::draw(const View& camera, const FrameOptions& wanted)
 {
     HW_ASSERT(state_->scene != nullptr && camera.size_px.x > 0 && camera.size_px.y > 0);
@@ -152,14 +164,24 @@ FrameStats Renderer::draw(const View& camera, const FrameOptions& wanted)
     device.is_rehearsal = options.is_rehearsal;
 
     if (options.shown_image) scene.require_image(*options.shown_image);
-    FrameView view{camera, options, state_->target_of(camera.size_px, options.samples), {}, {}, {}};
+    VisibleSet visible;
     find_visible({.scene = scene.input.scene,
                   .chunks = scene.input.chunks,
                   .mesh_bounds = scene.mesh_bounds,
-                  .visibility = options.use_pvs ? scene.input.visibility : nullptr},
-                 camera, view.visible);
-    view.plan = plan_frame(scene.input, view.visible);
-    view.images = plan_images(scene, view.plan, options.shown_image ? &*options.shown_image : nullptr);
+                  .visibility = options.use_pvs ? scene.input.visibility : nullptr,
+                  .left_out = scene.repeats},
+                 camera, visible);
+    FramePlan plan = plan_frame(scene.input, visible);
+    std::vector<WantedImage> images = plan_images(scene, plan, options.shown_image ? &*options.shown_image : nullptr);
+    const FrameCost cost = state_->cost_of(visible, images.size(), camera.size_px);
+    if (cost.wants_one_sample()) options.samples = 1;
+    FrameView view{camera,
+                   options,
+                   state_->target_of(camera.size_px, options.samples),
+                   std::move(visible),
+                   std::move(plan),
+                   std::move(images),
+                   cost.is_deep()};
     FrameResults results;
     const Frame frame{view, scene, device, results};
     clock.end_phase(stats.visibility_ms);

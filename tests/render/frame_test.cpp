@@ -15,7 +15,10 @@ glm::dmat4 at(double x, double y, double z)
     return glm::translate(kHere, glm::dvec3(x, y, z));
 }
 
-class frame : public RendererTest {};
+class frame : public RendererTest {
+ protected:
+    TestStyle style_{glm::vec3(1.0f)};
+};
 
 TEST_F(frame, a_box_on_a_floor_shows_where_it_should)
 {
@@ -52,6 +55,73 @@ TEST_F(frame, objects_that_others_hide_are_left_out_and_no_pixel_changes)
         if (eye.x == 0.0) {
             EXPECT_LT(stats_.triangles, whole_triangles + 100) << "the sphere is asked about, and not drawn";
         }
+    }
+}
+
+TEST_F(frame, faces_at_one_place_are_shaded_once)
+{
+    constexpr int kBoxes = 80;
+    for (int i = 0; i < kBoxes; ++i)
+        add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted({i * 0.01f, 1.0f - i * 0.01f, 0.5f}));
+    load(style_);
+    const View view = view_from({0, 0, 0.9}, {0, 0, 0});  // one face fills the picture
+    const Pixels whole = draw(view, {.skips_hidden = false});
+    EXPECT_EQ(whole.bytes, draw(view, {}).bytes) << "the last one is seen";
+    EXPECT_EQ(stats_.triangles, 12u * (2 * kBoxes + 1)) << "depth and question of all, faces of the last";
+    draw(view, {.samples = 1});
+    EXPECT_EQ(stats_.triangles, 12u * (2 * kBoxes + 1)) << "so deep a pile is asked about with one sample, too";
+}
+
+TEST_F(frame, an_object_that_repeats_another_is_drawn_once)
+{
+    const ObjectId last = add_object(scene_, box_mesh(glm::vec3(1.0f)), kHere, painted({0.2f, 0.4f, 0.8f}));
+    const Object object = scene_.objects[last];
+    for (int i = 0; i < 50; ++i) scene_.objects.push_back(object);
+    scene_.materials.push_back(painted({1.0f, 0.0f, 0.0f}));
+    for (int i = 0; i < 2; ++i) {
+        scene_.objects.push_back(object);
+        scene_.objects.back().material = 1;
+    }
+    TestStyle style(glm::vec3(1.0f));
+    style.look = LineLook{};
+    load(style);
+    const View view = view_from({1, 1.5, 4}, {0, 0, 0});
+    const Pixels pile = draw(view);
+    EXPECT_EQ(stats_.objects_visible, 2) << "one of each material";
+    scene_.objects = {scene_.objects.front(), scene_.objects.back()};
+    load(style);
+    EXPECT_EQ(pile.bytes, draw(view).bytes);
+    scene_.materials[0].alpha_mode = AlphaMode::blend;
+    scene_.objects = {object, object, object};
+    load(style);
+    draw(view);
+    EXPECT_EQ(stats_.objects_visible, 3) << "what is blended is seen through itself";
+}
+
+TEST_F(frame, a_pile_that_takes_for_ever_is_refused_by_a_software_renderer_and_one_less_deep_has_one_sample)
+{
+    MeshData pile;
+    const auto pile_of = [&](int boxes) {
+        pile = box_mesh(glm::vec3(1.0f));
+        const std::vector<std::uint32_t> one = pile.indices;
+        for (int i = 1; i < boxes; ++i) pile.indices.insert(pile.indices.end(), one.begin(), one.end());
+        scene_ = {};
+        add_object(scene_, pile, kHere, painted({0.2f, 0.4f, 0.8f}));
+        load(style_);
+    };
+    const View view = view_from({0, 0, 0.9}, {0, 0, 0}, {64, 48});  // one face fills the picture
+    pile_of(1);
+    const Pixels one = draw(view, {.samples = 1});
+    pile_of(2000);
+    EXPECT_EQ(one.bytes, draw(view, {.samples = 4}).bytes);
+    pile_of(6000);
+    if (!context_->device().is_software) GTEST_SKIP() << "a graphics card draws it";
+    try {
+        draw(view);
+        ADD_FAILURE() << "it was drawn";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("too many layers of faces and lines"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("--budget-factor"));
     }
 }
 

@@ -108,7 +108,10 @@ void SurfaceDrawer::draw_depth(const PipelineState& state, std::span<const Surfa
         state_.bind(mesh.array);
         GpuProgram::set(program.at.clip_from_object, item.object->clip_from_object);
         if (features != 0) set_material(program, gpu_material);
-        draw_ranges(item, ranges, queries);
+        if (queries != nullptr)
+            ask_ranges(item, ranges, *queries);
+        else
+            draw_ranges(item, ranges);
     }
 }
 
@@ -119,13 +122,19 @@ void SurfaceDrawer::apply_faces(PipelineState state, const SurfaceItem& item)
     state_.apply(state);
 }
 
-void SurfaceDrawer::draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges, GpuQueries* queries)
+void SurfaceDrawer::draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges)
+{
+    for (const IndexRange& range : ranges.subspan(item.object->first_range, item.object->range_count))
+        state_.draw_indexed(Primitive::triangles, range.first, range.count);
+}
+
+void SurfaceDrawer::ask_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges, GpuQueries& queries)
 {
     const std::uint32_t first = item.object->first_range;
-    for (std::uint32_t i = first; i < first + item.object->range_count; ++i) {
-        if (queries != nullptr) queries->begin(i);
+    for (std::uint32_t i = first + item.object->range_count; i-- > first;) {
+        queries.begin(i);
         state_.draw_indexed(Primitive::triangles, ranges[i].first, ranges[i].count);
-        if (queries != nullptr) queries->end();
+        queries.end();
     }
 }
 

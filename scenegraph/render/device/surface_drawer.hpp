@@ -48,13 +48,15 @@ class SurfaceDrawer {
 
     void draw(const SurfaceRun& run, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges);
     /// Depth alone, at the depths of draw(); alpha masks cut holes. `state` tells what faces; colours are not written.
-    /// With `queries`, the question of a range's own number is whether the range leaves anything.
+    /// With `queries`, the question of a range's own number is whether the range leaves anything; an object's last
+    /// range is then asked about first.
     void draw_depth(const PipelineState& state, std::span<const SurfaceItem> items, std::span<const IndexRange> ranges,
                     GpuQueries* queries = nullptr);
 
  private:
     void apply_faces(PipelineState state, const SurfaceItem& item);
-    void draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges, GpuQueries* queries = nullptr);
+    void draw_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges);
+    void ask_ranges(const SurfaceItem& item, std::span<const IndexRange> ranges, GpuQueries& queries);
     void set_object(const LinkedProgram& program, const SurfaceItem& item, double time_s);
     void set_material(const LinkedProgram& program, const GpuMaterial& gpu_material);
     void set_lightmap(const LinkedProgram& program, const GpuLightmap* lightmap, ObjectId object);

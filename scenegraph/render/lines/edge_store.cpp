@@ -106,4 +106,12 @@ const LineMesh* EdgeStore::lines(ObjectId object, float crease_rad) const
     return nullptr;
 }
 
+double EdgeStore::line_length(ObjectId object) const
+{
+    double longest = 0.0;
+    for (const auto& [own_rad, lines] : objects_[object].lines)
+        if (lines != nullptr) longest = std::max(longest, lines->length);
+    return longest;
+}
+
 }  // namespace hw

@@ -1,6 +1,7 @@
 #include "hatchway/render/lines/line_mesh.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace hw {
 namespace {
@@ -84,6 +85,7 @@ LineMeshData line_mesh_data(const ObjectEdges& edges)
     for (const ObjectLine& line : lines.lines) {
         const auto number = static_cast<std::uint32_t>(mesh.vertices.size() / 4);
         append_line(mesh.vertices, line);
+        mesh.length += glm::distance(line.ends[0], line.ends[1]);
         if (mesh.runs.empty() || mesh.runs.back().line_class != line.line_class)
             mesh.runs.push_back({line.line_class, number, 0});
         ++mesh.runs.back().count;
@@ -99,7 +101,8 @@ LineMesh upload(LineMeshData data, LineIndices& indices)
     LineMesh mesh{.buffer = make_line_buffer(indices),
                   .runs = std::move(data.runs),
                   .crowding_window = data.crowding_window,
-                  .crowding = std::move(data.crowding)};
+                  .crowding = std::move(data.crowding),
+                  .length = data.length};
     mesh.buffer.vertices.stream(std::as_bytes(std::span(data.vertices)));
     return mesh;
 }

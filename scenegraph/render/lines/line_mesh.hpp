@@ -61,6 +61,7 @@ struct LineMesh {
     std::vector<Run> runs;            ///< Class after class.
     float crowding_window = 1.0f;     ///< LineCrowding::window()
     std::vector<glm::vec4> crowding;  ///< LineCrowding at each position of the surface, when silhouettes may need it.
+    double length = 0.0;              ///< Of all lines, object space.
 };
 
 /// A LineMesh that is not on the device yet.
@@ -69,6 +70,7 @@ struct LineMeshData {
     std::vector<LineMesh::Run> runs;
     float crowding_window = 1.0f;
     std::vector<glm::vec4> crowding;
+    double length = 0.0;
 };
 
 /// Touches no device: for any thread.

@@ -1,10 +1,14 @@
 #include "hatchway/render/products/shadow_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "hatchway/core/log.hpp"
 #include "hatchway/render/device/surface_drawer.hpp"
+#include "hatchway/render/view/covered_pixels.hpp"
 
 namespace hw {
 namespace {
@@ -17,10 +21,12 @@ constexpr PipelineState kCasterState{.depth_test = DepthTest::less,
                                      .offset_units = 1.0f};
 
 /// Every opaque or masked object, whole, as the light sees it.
-VisibleSet casters_of(const Scene& scene, const GpuScene& gpu_scene, const glm::dmat4& clip_from_world)
+VisibleSet casters_of(const Scene& scene, std::span<const std::uint8_t> left_out, const GpuScene& gpu_scene,
+                      const glm::dmat4& clip_from_world)
 {
     VisibleSet casters;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        if (!left_out.empty() && left_out[id] != 0) continue;
         if (gpu_scene.material_of(id).facts->alpha_mode == AlphaMode::blend) continue;
         VisibleObject caster;
         caster.object = id;
@@ -31,6 +37,26 @@ VisibleSet casters_of(const Scene& scene, const GpuScene& gpu_scene, const glm::
         casters.ranges.push_back({0, gpu_scene.mesh_of(id).index_count});
     }
     return casters;
+}
+
+/// A side at which the casters cover no more texels than a software renderer draws in some seconds.
+int drawable_side(const Scene& scene, const VisibleSet& casters, int side_px)
+{
+    constexpr double kMostTexels = 2e9;
+    constexpr int kLeastSidePx = 16;
+    double texels = 0.0;
+    for (const VisibleObject& caster : casters.objects)
+        texels += covered_pixels(scene.meshes[scene.objects[caster.object].mesh],
+                                 std::span(casters.ranges).subspan(caster.first_range, caster.range_count),
+                                 caster.clip_from_object, 0.0f, glm::ivec2(side_px));
+    int side = side_px;
+    for (; texels > kMostTexels && side > kLeastSidePx; side /= 2) texels /= 4.0;
+    if (side < side_px)
+        log_warning(
+            fmt::format("faces lie over each other so often that shadows are drawn with {} x {} texels, not {} x "
+                        "{}",
+                        side, side, side_px, side_px));
+    return side;
 }
 
 }  // namespace
@@ -48,18 +74,20 @@ glm::dmat4 sun_clip_from_world(const glm::dvec3& direction_world, const Box& bou
     return glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z) * light_from_world;
 }
 
-void ShadowMap::prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLight& light, ProgramStore& programs,
-                        GpuState& state, int side_px)
+void ShadowMap::prepare(const Scene& scene, std::span<const std::uint8_t> left_out, GpuScene& gpu_scene,
+                        const SceneLight& light, ProgramStore& programs, GpuState& state, int side_px)
 {
-    const bool is_there = frame_.is_drawn && static_cast<int>(frame_.size_px) == side_px;
+    const bool is_there = frame_.is_drawn && wanted_side_px_ == side_px;
     if (is_there || light.main_light == kNone || scene.bounds_world.is_empty()) return;
     const glm::dmat4 clip_from_world =
         sun_clip_from_world(light.lights[light.main_light].direction_world, scene.bounds_world);
+    const VisibleSet casters = casters_of(scene, left_out, gpu_scene, clip_from_world);
+    wanted_side_px_ = side_px;
+    side_px = drawable_side(scene, casters, side_px);
     target_ = GpuTarget({.size_px = glm::ivec2(side_px), .colours = {}, .is_shadow_map = true});
     target_.bind();
     state.apply(kCasterState);
     target_.clear_depth();
-    const VisibleSet casters = casters_of(scene, gpu_scene, clip_from_world);
     std::vector<SurfaceItem> items;
     for (const VisibleObject& caster : casters.objects) items.push_back({nullptr, &caster, {}});
     SurfaceDrawer(programs, state, gpu_scene).draw_depth(kCasterState, items, casters.ranges);

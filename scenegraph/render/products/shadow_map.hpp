@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "hatchway/gl/gpu_state.hpp"
 #include "hatchway/gl/gpu_target.hpp"
@@ -17,9 +18,11 @@ class ShadowMap {
     /// Enough to try styles with: thousands of objects at one place fill a map thousands of times.
     static constexpr int kRehearsalSidePx = 64;
 
-    /// Draws the map when it is not there yet with that side.
-    void prepare(const Scene& scene, GpuScene& gpu_scene, const SceneLight& light, ProgramStore& programs,
-                 GpuState& state, int side_px = kSidePx);
+    /// Draws the map when it is not there yet with that side, or with half of it, a quarter and so on where casters lie
+    /// over each other so often that all would take long.
+    /// `left_out`: VisibilityQuery.
+    void prepare(const Scene& scene, std::span<const std::uint8_t> left_out, GpuScene& gpu_scene,
+                 const SceneLight& light, ProgramStore& programs, GpuState& state, int side_px = kSidePx);
 
     const ShadowFrame& frame() const { return frame_; }
     std::uint32_t texture() const { return frame_.is_drawn ? target_.depth().id() : 0; }
@@ -28,6 +31,7 @@ class ShadowMap {
  private:
     GpuTarget target_;
     ShadowFrame frame_;
+    int wanted_side_px_ = 0;  ///< When it was drawn.
     int drawn_count_ = 0;
 };
 

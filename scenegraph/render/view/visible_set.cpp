@@ -113,6 +113,7 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
         result.leaves_visible = visible_leaf_count(*visibility, view.eye_world, near_radius(view));
     }
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        if (!query.left_out.empty() && query.left_out[id] != 0) continue;
         const int mesh = scene.objects[id].mesh;
         std::span<const std::uint8_t> seen_chunks;
         if (visibility != nullptr) {

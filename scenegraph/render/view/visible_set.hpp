@@ -48,6 +48,7 @@ struct VisibilityQuery {
     std::span<const MeshChunks> chunks;      ///< Empty: whole meshes.
     std::span<const Box> mesh_bounds;        ///< Of each mesh, object space.
     const Visibility* visibility = nullptr;  ///< Null: everything.
+    std::span<const std::uint8_t> left_out;  ///< 1 for each object that is not drawn anyway; empty: none is.
 };
 
 /// Objects whose chunks the PVS and the frustum leave; in a parallel projection the frustum alone. An object's place in

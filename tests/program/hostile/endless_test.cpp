@@ -75,11 +75,11 @@ class Random {
 class endless : public Test {
  protected:
     /// A model whose first mesh is these triangles, with nodes that all are roots unless others name them as children.
-    std::string model(const Triangles& triangles, const json& nodes = {{{"mesh", 0}}}, bool is_double_sided = false)
+    std::string model(const Triangles& triangles, const json& nodes = {{{"mesh", 0}}}, const json& material = {})
     {
         ModelBuilder builder;
         json primitive = {{"attributes", {{"POSITION", builder.add_positions(triangles)}}}};
-        if (is_double_sided) primitive["material"] = builder.push("materials", {{"doubleSided", true}});
+        if (!material.is_null()) primitive["material"] = builder.push("materials", material);
         builder.push("meshes", {{"primitives", {primitive}}});
         builder.json["nodes"] = nodes;
         return folder_.write("model.glb", builder.glb());
@@ -115,6 +115,10 @@ class endless : public Test {
     ProgramResult lines_of(const std::string& file)
     {
         return run({"lines", file, "--style", "*=pen_and_ink", "--out", folder_ / "lines.svg"});
+    }
+    ProgramResult picture_of(const std::string& file, const std::string& style)
+    {
+        return run({"render", file, "--style", "*=" + style, "--out", folder_ / "picture.png"});
     }
     ProgramResult map_of(const std::string& view_box, const std::string& body)
     {
@@ -189,7 +193,7 @@ Triangles crossing_sheets(int count)
 TEST_F(endless, sheets_that_all_cross)
 {
     for (int count = 60; count <= whole_or(60, 300); count += 240)
-        expect_opens(model(crossing_sheets(count), {{{"mesh", 0}}}, true));
+        expect_opens(model(crossing_sheets(count), {{{"mesh", 0}}}, {{"doubleSided", true}}));
 }
 
 TEST_F(endless, sheets_that_lie_on_each_other_in_one_plane)
@@ -250,6 +254,32 @@ TEST_F(endless, a_rehearsal_of_boxes_at_one_place)
     EXPECT_EQ(checked.exit_code, 0) << checked.err.substr(0, 2000);
 }
 
+TEST_F(endless, pictures_of_boxes_at_one_place)
+{
+    const std::string file = model(box(0.5f), json(5000, {{"mesh", 0}}));
+    for (const char* style : {"pen_and_ink", "photoreal"}) {
+        const ProgramResult drawn = picture_of(file, style);
+        EXPECT_EQ(drawn.exit_code, 0) << style << ": " << drawn.err.substr(0, 2000);
+    }
+}
+
+TEST_F(endless, pictures_of_a_mesh_of_boxes_at_one_place)
+{
+    Triangles pile;
+    for (int i = 0; i < whole_or(1000, 5000); ++i) add_box(pile, glm::vec3(0.0f), 0.5f);
+    const std::string file = model(pile);
+    for (const char* style : {"pen_and_ink", "photoreal"}) expect_ends(picture_of(file, style));
+}
+
+TEST_F(endless, pictures_of_faces_that_lie_over_each_other_by_the_thousand)
+{
+    json nodes = json::array();
+    for (int i = 0; i < 20'000; ++i) nodes.push_back({{"mesh", 0}, {"translation", {0, 0, i * 1e-6}}});
+    expect_message(picture_of(model(box(0.5f), nodes), "photoreal"), "too many layers");
+    const json glass = {{"alphaMode", "BLEND"}};
+    expect_message(picture_of(model(box(0.5f), json(5000, {{"mesh", 0}}), glass), "photoreal"), "too many layers");
+}
+
 TEST_F(endless, faces_around_one_edge)
 {
     const int faces = whole_or(1000, 20'000);
@@ -289,7 +319,7 @@ TEST_F(endless, a_sealed_level_that_is_too_fine_for_the_search_is_not_told_to_be
     for (int i = 0; i < whole_or(1000, 3000); ++i)
         add_triangle(triangles, 2.0f * random.point() - 1.0f, 2.0f * random.point() - 1.0f,
                      2.0f * random.point() - 1.0f);
-    model(triangles, {{{"mesh", 0}}}, true);
+    model(triangles, {{{"mesh", 0}}}, {{"doubleSided", true}});
     const json level = {{"format", "hatchway-level/1"},
                         {"scene", "model.glb"},
                         {"sealed", true},
