@@ -209,7 +209,7 @@ void add_map_command(CommandLine app)
         .required()
         .option_text("SVG|PNG|JPEG");
     ink.add_option("--width", arguments->ink.width_texels, "Texels of the finest level")
-        .check(one_of({"64", "128", "256", "512", "1024", "2048"}));
+        .check(one_of({"8", "16", "32", "64", "128", "256", "512", "1024", "2048"}));
     ink.add_option("--pen", arguments->ink.pen_texels, "Width of a stroke, texels").check(number_in(0.5, 8.0));
     ink.add_option("--size-m", arguments->ink.size_m, "Width of the map on a surface").check(number_in(0.001, 1000.0));
     ink.add_option("--filter", arguments->filter,
