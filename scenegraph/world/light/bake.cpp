@@ -27,6 +27,7 @@ class Bake {
         : scene_(scene),
           sources_(sources),
           samples_(std::bit_ceil(std::max(1u, options.samples))),
+          seed_(mixed(options.seed)),
           lightmap_(plan_lightmap(scene, options.luxels_per_m, options.budget, options.receivers, sources.lights)),
           rays_(scene, sources.lights),
           points_(scene, lightmap_, rays_),
@@ -45,6 +46,7 @@ class Bake {
     const Scene& scene_;
     const LightSources& sources_;
     std::uint32_t samples_;
+    std::uint32_t seed_;
     Lightmap lightmap_;
     LightScene rays_;
     LuxelPoints points_;
@@ -68,7 +70,7 @@ void Bake::gather(std::uint32_t first, std::uint32_t last, Progress& progress)
         for (std::size_t i = block * kBlock; i < end; ++i) {
             if (places_[i].is_buried) continue;
             const Luxel& luxel = points_.luxels()[i];
-            const std::uint32_t seed = mixed(luxel.place + 1);
+            const std::uint32_t seed = mixed(luxel.place + 1) + seed_;
             glm::vec3 sum(0.0f);
             for (std::uint32_t sample = first; sample < last; ++sample) {
                 const LightReceiver receiver = points_.part(luxel, places_[i], sample_2d(sample, 0, seed));

@@ -10,6 +10,7 @@ namespace hw {
 struct BakeOptions {
     double luxels_per_m = 8.0;
     std::uint32_t samples = 512;        ///< Of each luxel; rounded up to a power of two.
+    std::uint32_t seed = 0;             ///< Of all that is random: another one gives other noise.
     std::uint64_t budget = 8ull << 20;  ///< Luxels.
     std::vector<ObjectId> receivers;    ///< Objects that get baked light; empty: all. Others still cast and send light.
 };

@@ -548,6 +548,19 @@ TEST(baked_light, one_thread_and_two_give_the_same_bytes)
     EXPECT_EQ(bytes_with(1), bytes_with(2));
 }
 
+TEST(baked_light, another_seed_is_other_noise_of_the_same_light)
+{
+    const LightCase& room = light_case_named("lit room");
+    const auto baked = [&](std::uint32_t seed) {
+        return bake_lightmap(room.scene, room.sources, {.luxels_per_m = 2.0, .samples = 64, .seed = seed});
+    };
+    const Lightmap first = baked(0), second = baked(1);
+    EXPECT_EQ(lightmap_bytes(first), lightmap_bytes(baked(0)));
+    const LightError difference = light_difference(first, second, room);
+    EXPECT_GT(difference.rms, 0.01);
+    EXPECT_LT(difference.rms, 0.1);
+}
+
 TEST(baked_light, passes_are_shown_as_they_come_and_the_last_is_the_result)
 {
     const LightCase& sun = light_case_named("sun");
