@@ -1,5 +1,5 @@
-// The portal flow on the portals of a file, and a naive one on the same, in one run: seconds, and leaves that one shows
-// and the other does not.
+// The portal flow on the portals of a file, and a naive one on the same, in one run: seconds, and pairs (leaf, seen
+// leaf) that one shows and the other does not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,9 +18,8 @@
 namespace hw {
 namespace {
 
-// In the units of such files, about an inch; as `hatchway pvs` sets them.
-constexpr double kSlack = 1e-6;
-constexpr double kLeast = 1e-4;
+// In the units of such files, about an inch, of both flows; as `hatchway pvs` sets them.
+constexpr ClipTolerance kTolerance{.slack = 1e-6, .least = 1e-4};
 
 struct PortalsMeasureArguments {
     std::vector<std::filesystem::path> files;
@@ -52,7 +51,7 @@ double mean_visible(const LeafRows& rows, const std::vector<int>& leaves)
     return sum / static_cast<double>(leaves.size());
 }
 
-/// Leaves that the first rows show and the second do not.
+/// Pairs (leaf, seen leaf) that the first rows show and the second do not.
 int shown_only_by(const LeafRows& rows, const LeafRows& others, const std::vector<int>& leaves)
 {
     int count = 0;
@@ -69,10 +68,10 @@ JsonValue measure_file(const std::filesystem::path& file, const PortalsMeasureAr
     const std::vector<int> leaves = even_sample(graph.leaf_count, is_sample ? arguments.leaves : graph.leaf_count);
     PvsResult ours;
     const PvsOptions options{
-        .effort = PvsEffort::exact, .threads = arguments.threads, .slack = kSlack, .least = kLeast};
+        .effort = PvsEffort::exact, .threads = arguments.threads, .slack = kTolerance.slack, .least = kTolerance.least};
     const double ours_s = seconds_of([&] { ours = build_pvs(graph, options); });
     LeafRows naive;
-    const double naive_s = seconds_of([&] { naive = measure::naive_flow(graph, leaves, kLeast); });
+    const double naive_s = seconds_of([&] { naive = measure::naive_flow(graph, leaves, kTolerance); });
     const int only_naive = shown_only_by(naive, ours.rows, leaves), only_ours = shown_only_by(ours.rows, naive, leaves);
     const std::string name = file.filename().string();
     print_line(

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <deque>
 #include <glm/geometric.hpp>
 
 namespace hw::measure {
 namespace {
 
-using Points = std::vector<glm::dvec3>;
 using Bits = std::vector<std::uint64_t>;  // 64 leaves a word
 
 bool holds(const Bits& bits, std::size_t i)
@@ -27,77 +27,79 @@ std::size_t count(const Bits& bits)
     return sum;
 }
 
-struct HalfSpace {
-    glm::dvec3 normal{0.0};
-    double offset = 0.0;
-    double distance(const glm::dvec3& p) const { return glm::dot(normal, p) + offset; }
-    HalfSpace turned() const { return {-normal, -offset}; }
-};
+FlowPlane turned(const FlowPlane& plane)
+{
+    return {-plane.normal, -plane.offset};
+}
 
 struct Opening {
     int to_leaf = 0;
-    HalfSpace ahead;
-    Points points;
+    FlowPlane ahead;
+    Winding points;
     Bits may_see;
     Bits sees;
     bool is_done = false;
 };
 
-/// What lies in the half-space; empty if no point is inside by more than the tolerance.
-Points kept(const Points& points, const HalfSpace& space, double tolerance)
+/// What lies in front of the plane, or at most the slack behind it; empty if no point reaches the least distance.
+Winding kept(const Winding& points, const FlowPlane& plane, const ClipTolerance& tolerance)
 {
-    std::vector<double> distances;
-    for (const glm::dvec3& point : points) distances.push_back(space.distance(point));
-    if (points.empty() || *std::max_element(distances.begin(), distances.end()) <= tolerance) return {};
-    Points result;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t next = (i + 1) % points.size();
-        if (distances[i] >= -tolerance) result.push_back(points[i]);
-        const bool leaves = distances[i] > tolerance && distances[next] < -tolerance;
-        const bool enters = distances[i] < -tolerance && distances[next] > tolerance;
-        if (!leaves && !enters) continue;
+    std::array<double, Winding::kMostCorners> distances;  // NOLINT: filled below
+    double farthest = 0.0;
+    for (int i = 0; i < points.count; ++i) {
+        const double distance = plane.distance(points[i]);
+        farthest = std::max(farthest, distance);
+        distances[i] = distance + tolerance.slack;
+    }
+    if (farthest < tolerance.least) return {};
+    if (points.count == Winding::kMostCorners) return points;
+    Winding result;
+    for (int i = 0; i < points.count; ++i) {
+        const int next = (i + 1) % points.count;
+        if (distances[i] >= 0.0) result.points[result.count++] = points[i];
+        if ((distances[i] >= 0.0) == (distances[next] >= 0.0)) continue;
         const double share = distances[i] / (distances[i] - distances[next]);
-        result.push_back(points[i] + share * (points[next] - points[i]));
+        result.points[result.count++] = points[i] + share * (points[next] - points[i]);
     }
     return result;
 }
 
 /// The plane through an edge of `from` and a point of `through` that has all of `from` behind and all of `through` in
 /// front, if it has.
-bool separates(const Points& from, std::size_t edge, const Points& through, std::size_t corner, double tolerance,
-               HalfSpace& plane)
+bool separates(const Winding& from, int edge, const Winding& through, int corner, double slack, FlowPlane& plane)
 {
-    const glm::dvec3 a = from[edge], b = from[(edge + 1) % from.size()];
-    const glm::dvec3 normal = glm::cross(b - a, through[corner] - a);
+    const glm::dvec3 a = from[edge], side = from[(edge + 1) % from.count] - a;
+    const glm::dvec3 normal = glm::cross(side, through[corner] - a);
     const double length = glm::length(normal);
-    if (length < 1e-9) return false;
+    if (glm::length(side) < slack || length < slack * glm::length(side)) return false;
     plane.normal = normal / length;
     plane.offset = -glm::dot(plane.normal, a);
     bool is_behind = false, is_ahead = false;
-    for (const glm::dvec3& point : from) {
-        is_behind |= plane.distance(point) < -tolerance;
-        is_ahead |= plane.distance(point) > tolerance;
+    for (int i = 0; i < from.count; ++i) {
+        is_behind |= plane.distance(from[i]) < -slack;
+        is_ahead |= plane.distance(from[i]) > slack;
     }
     if (is_behind == is_ahead) return false;
-    if (is_ahead) plane = plane.turned();
+    if (is_ahead) plane = turned(plane);
     bool is_beyond = false;
-    for (const glm::dvec3& point : through) {
-        if (plane.distance(point) < -tolerance) return false;
-        is_beyond |= plane.distance(point) > tolerance;
+    for (int i = 0; i < through.count; ++i) {
+        if (plane.distance(through[i]) < -slack) return false;
+        is_beyond |= plane.distance(through[i]) > slack;
     }
     return is_beyond;
 }
 
 /// What of `target` can be reached by lines from `from` through `through`. `is_swapped`: planes lie on edges of the
 /// second of two openings in a row, so what they keep is behind them.
-Points between(const Points& from, const Points& through, Points target, bool is_swapped, double tolerance)
+Winding between(const Winding& from, const Winding& through, Winding target, bool is_swapped,
+                const ClipTolerance& tolerance)
 {
-    for (std::size_t edge = 0; edge < from.size() && !target.empty(); ++edge) {
-        for (std::size_t corner = 0; corner < through.size(); ++corner) {
-            HalfSpace plane;
-            if (!separates(from, edge, through, corner, tolerance, plane)) continue;
-            target = kept(target, is_swapped ? plane.turned() : plane, tolerance);
-            if (target.empty()) break;
+    for (int edge = 0; edge < from.count && target.count > 0; ++edge) {
+        for (int corner = 0; corner < through.count; ++corner) {
+            FlowPlane plane;
+            if (!separates(from, edge, through, corner, tolerance.slack, plane)) continue;
+            target = kept(target, is_swapped ? turned(plane) : plane, tolerance);
+            if (target.count == 0) break;
         }
     }
     return target;
@@ -105,7 +107,7 @@ Points between(const Points& from, const Points& through, Points target, bool is
 
 class NaiveFlow {
  public:
-    NaiveFlow(const PortalGraph& graph, double tolerance)
+    NaiveFlow(const PortalGraph& graph, const ClipTolerance& tolerance)
         : leaf_count_(static_cast<std::size_t>(graph.leaf_count)),
           word_count_((leaf_count_ + 63) / 64),
           tolerance_(tolerance),
@@ -114,7 +116,8 @@ class NaiveFlow {
     {
         for (const DirectedPortal& portal : graph.portals) {
             out_of_[static_cast<std::size_t>(portal.from_leaf)].push_back(openings_.size());
-            openings_.push_back({portal.to_leaf, {portal.normal, portal.offset}, portal.winding, {}, {}, false});
+            openings_.push_back(
+                {portal.to_leaf, {portal.normal, portal.offset}, Winding(portal.winding), {}, {}, false});
         }
         for (Opening& opening : openings_) flood(opening);
     }
@@ -131,7 +134,7 @@ class NaiveFlow {
         for (const std::size_t number : order) {
             source_ = &openings_[number];
             source_->sees.assign(word_count_, 0);
-            go_on(source_->to_leaf, source_->points, {}, {}, source_->may_see);
+            go_on(source_->to_leaf, source_->points, {}, {}, source_->may_see, 0);
             source_->is_done = true;
         }
     }
@@ -147,13 +150,15 @@ class NaiveFlow {
     }
 
  private:
+    bool reaches(const Winding& points, const FlowPlane& plane) const
+    {
+        return std::any_of(points.points.begin(), points.points.begin() + points.count,
+                           [&](const glm::dvec3& point) { return plane.distance(point) > tolerance_.least; });
+    }
+
     bool may_follow(const Opening& first, const Opening& later) const
     {
-        const auto is_ahead = [&](const HalfSpace& plane) {
-            return [&, plane](const glm::dvec3& point) { return plane.distance(point) > tolerance_; };
-        };
-        return std::any_of(later.points.begin(), later.points.end(), is_ahead(first.ahead)) &&
-               std::any_of(first.points.begin(), first.points.end(), is_ahead(later.ahead.turned()));
+        return reaches(later.points, first.ahead) && reaches(first.points, turned(later.ahead));
     }
 
     void flood(Opening& source)
@@ -174,48 +179,51 @@ class NaiveFlow {
         }
     }
 
-    void go_on(int leaf, const Points& from, const Points& through, const HalfSpace& through_plane, const Bits& may_see)
+    void go_on(int leaf, const Winding& from, const Winding& through, const FlowPlane& through_plane,
+               const Bits& may_see, std::size_t depth)
     {
+        if (left_.size() == depth) left_.emplace_back(word_count_);
+        Bits& left = left_[depth];
         set(source_->sees, static_cast<std::size_t>(leaf));
         for (const std::size_t number : out_of_[static_cast<std::size_t>(leaf)]) {
             const Opening& opening = openings_[number];
             if (!holds(may_see, static_cast<std::size_t>(opening.to_leaf)) || is_on_way_[number]) continue;
             const Bits& behind = opening.is_done ? opening.sees : opening.may_see;
-            Bits left(word_count_);
             std::uint64_t news = 0;
             for (std::size_t i = 0; i < word_count_; ++i) {
                 left[i] = may_see[i] & behind[i];
                 news |= left[i] & ~source_->sees[i];
             }
             if (news == 0) continue;
-            Points target = kept(opening.points, source_->ahead, tolerance_);
-            Points source = kept(from, opening.ahead.turned(), tolerance_);
-            if (!through.empty() && !target.empty()) target = kept(target, through_plane, tolerance_);
-            if (!through.empty()) {
+            Winding target = kept(opening.points, source_->ahead, tolerance_);
+            Winding source = kept(from, turned(opening.ahead), tolerance_);
+            if (through.count > 0) {
+                target = kept(target, through_plane, tolerance_);
                 target = between(source, through, target, false, tolerance_);
                 target = between(through, source, target, true, tolerance_);
                 source = between(target, through, source, false, tolerance_);
                 source = between(through, target, source, true, tolerance_);
             }
-            if (target.empty() || source.empty()) continue;
+            if (target.count == 0 || source.count == 0) continue;
             is_on_way_[number] = true;
-            go_on(opening.to_leaf, source, target, opening.ahead, left);
+            go_on(opening.to_leaf, source, target, opening.ahead, left, depth + 1);
             is_on_way_[number] = false;
         }
     }
 
     std::size_t leaf_count_;
     std::size_t word_count_;
-    double tolerance_;
+    ClipTolerance tolerance_;
     std::vector<Opening> openings_;
     std::vector<std::vector<std::size_t>> out_of_;
     std::vector<char> is_on_way_;
+    std::deque<Bits> left_;  ///< By depth: what may be seen from there on. References to it stay.
     Opening* source_ = nullptr;
 };
 
 }  // namespace
 
-LeafRows naive_flow(const PortalGraph& graph, const std::vector<int>& from_leaves, double tolerance)
+LeafRows naive_flow(const PortalGraph& graph, const std::vector<int>& from_leaves, const ClipTolerance& tolerance)
 {
     NaiveFlow flow(graph, tolerance);
     flow.run(from_leaves);
