@@ -265,7 +265,8 @@ ReportSection lightmap_section()
             .title = "Lightmaps",
             .judge = "Closed forms; the lit room by the same bake with 8 times the samples and another seed.",
             .leaves_out =
-                "Bias of the lit room: noise alone is seen there, that of the reference added. Nothing throws a shadow in the "
+                "Bias of the lit room: noise alone is seen there, that of the reference added. Nothing throws a shadow "
+                "in the "
                 "cases of point and sun.",
             .says =
                 "Seconds and error of baked light against closed-form form factors and a converged reference, over "

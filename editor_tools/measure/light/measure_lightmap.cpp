@@ -1,6 +1,6 @@
 // Time against error of baked light: every pass of a bake is one point of the curve. Errors are against closed forms,
-// and where light bounces in a furnished room against the same bake of many more samples and another seed. Closed dark rooms count
-// leaks.
+// and where light bounces in a furnished room against the same bake of many more samples and another seed. Closed dark
+// rooms count leaks.
 #include <fmt/format.h>
 
 #include "hatchway/core/plain_text.hpp"
