@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "hatchway/gl/context.hpp"
@@ -26,6 +27,11 @@ glm::dvec3 random_place(const Box& box, std::mt19937& random)
     return box.min + glm::dvec3(share(random), share(random), share(random)) * box.size();
 }
 
+int count_unlike(const Pixels& a, const Pixels& b)
+{
+    return static_cast<int>(std::lround(measure::unlike_share(a, b) * a.width * a.height));
+}
+
 }  // namespace
 
 PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, int eyes)
@@ -40,6 +46,7 @@ PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, 
     std::mt19937 random(20011);
     const Box& bounds = stage.scene().bounds_world;
     stage.draw(camera_view(whole_scene_camera(stage.scene(), 1.0), kSize, bounds), {});  // shadow maps are made once
+    const Pixels paper{kSize.x, kSize.y, 3, std::vector<std::uint8_t>(3 * kSize.x * kSize.y, 255)};
     double drawn = 0.0;
     double all = 0.0;
     for (int i = 0; i < eyes; ++i) {
@@ -48,12 +55,14 @@ PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, 
         const FrameStats with = stage.draw(view, {.samples = 1, .use_pvs = true});
         const Pixels picture = stage.renderer().read_picture();
         const FrameStats without = stage.draw(view, {.samples = 1, .use_pvs = false});
-        const double share = measure::unlike_share(picture, stage.renderer().read_picture());
-        result.unlike_pictures += share > 0.0;
+        const int unlike = count_unlike(picture, stage.renderer().read_picture());
+        result.unlike_pictures += unlike > 0;
+        result.unlike_pixels += unlike;
+        result.inked_pixels += count_unlike(picture, paper);
         drawn += static_cast<double>(with.triangles);
         all += static_cast<double>(without.triangles);
-        if (share > result.worst_share) {
-            result.worst_share = share;
+        if (unlike > result.most_unlike_pixels) {
+            result.most_unlike_pixels = unlike;
             result.worst_view =
                 fmt::format("--eye {},{},{} --target {},{},{}", camera.eye_world.x, camera.eye_world.y,
                             camera.eye_world.z, camera.target_world.x, camera.target_world.y, camera.target_world.z);

@@ -9,9 +9,11 @@ namespace hw::test {
 /// How two pictures of the same view differ.
 struct PvsDifference {
     int eyes = 0;
-    int unlike_pictures = 0;   ///< Eyes whose picture differs at all.
-    double worst_share = 0.0;  ///< Of the pixels, at the worst eye.
-    double drawn_share = 0.0;  ///< Triangles drawn with the PVS over those without.
+    int unlike_pictures = 0;     ///< Eyes whose picture differs at all.
+    int unlike_pixels = 0;       ///< In all pictures.
+    int most_unlike_pixels = 0;  ///< In the picture of worst_view.
+    int inked_pixels = 0;        ///< In all pictures: what is not paper.
+    double drawn_share = 0.0;    ///< Triangles drawn with the PVS over those without.
     std::string worst_view;
 };
 

@@ -67,7 +67,7 @@ TEST_F(lines, of_a_box_seen_from_a_corner_are_its_nine_visible_edges)
     for (const LinePath path : {LinePath::quads, LinePath::native}) {
         const Pixels pixels = draw_with(path, view);
         keep_picture(pixels, path == LinePath::quads ? "lines_box_quads" : "lines_box_native");
-        EXPECT_NEAR(ink(pixels) / (2.0 * length_px), 1.0, 0.08);
+        EXPECT_NEAR(ink(pixels) / (2.0 * length_px), 1.0, 0.03);
         EXPECT_EQ(stats_.silhouette_extractions, 0) << "a box has no smooth edge";
     }
 }
@@ -409,7 +409,7 @@ TEST_F(lines, at_the_foot_of_a_wall_have_all_their_width)
     // Down a column through the middle of the front: its foot is the lowest ink, and two pixels of it.
     double foot = 0.0;
     for (int y = 130; y < 200; ++y) foot += 1.0 - std::pow(pixels.at(160, y)[0] / 255.0, 2.2);
-    EXPECT_NEAR(foot, 2.0, 0.1) << "half of it lies on the floor, which comes nearer";
+    EXPECT_NEAR(foot, 2.0, 0.05) << "half of it lies on the floor, which comes nearer";
 }
 
 TEST_F(lines, where_objects_go_through_each_other_are_drawn_when_asked_for)

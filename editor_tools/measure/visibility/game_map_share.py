@@ -15,6 +15,7 @@ import re
 import struct
 import subprocess
 import tempfile
+from datetime import date
 from pathlib import Path
 
 METRES = 1 / 32            # a unit of the game
@@ -147,9 +148,11 @@ def main():
     theirs, ours = their_triangles(game_map, views), our_triangles(options.program, options.model, views)
     row = {"map": options.map.name.removesuffix(".xz"), "views": len(views), "q3map2_share": theirs[0] / theirs[1], "our_share": ours[0] / ours[1],
            "q3map2_triangles": theirs[0], "q3map2_triangles_in_view": theirs[1], "our_triangles": ours[0], "our_triangles_in_view": ours[1]}
-    version = subprocess.run([options.program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
+    print(json.dumps(row))
+    commit = subprocess.run(["git", "rev-parse", "--short=10", "HEAD"], cwd=Path(__file__).parent, check=True, capture_output=True, text=True)
     command = f"game_map_share.py hatchway {options.map.name} {options.model.name} --eyes {options.eyes}"
-    options.json.write_text(json.dumps({"rows": [row], "origin": {"version": version, "command": command}}, indent=2) + "\n")
+    origin = {"commit": commit.stdout.strip(), "date": date.today().isoformat(), "command": command}
+    options.json.write_text(json.dumps({"rows": [row], "origin": origin}, indent=2) + "\n")
 
 
 if __name__ == "__main__":
