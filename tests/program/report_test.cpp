@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "tests/program/run_program.hpp"
@@ -56,16 +57,35 @@ TEST(report_program, every_figure_of_the_method_pages_is_that_of_the_report)
             << entry.path().filename();
 }
 
-/// What of a page looks measured and was typed: numbers with a unit of time or of comparison, outside of filled figures
-/// and of code.
-std::vector<std::string> typed_figures(std::string page)
+TEST(report_program, the_page_is_made_of_the_results_and_of_nothing_else)
 {
-    for (const char* passed : {"<!--@[^>]*-->[^<]*<!--@-->", "```[^]*?```", "`[^`]*`"})
+    const ReportFolder report;
+    // Folders that are not there: with --reuse nothing in them is measured.
+    const ProgramResult result =
+        run_program({"report", "--out", report.folder() / "report", "--reuse", "--data", report.folder() / "none"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    // `hatchway report --out docs/report --reuse --data FOLDER` writes it again. EXPECT_EQ would print both pages.
+    EXPECT_TRUE(bytes_of(report.folder().path() / "report/index.html") == bytes_of(kDocs / "report/index.html"));
+}
+
+/// A page without filled figures, code and the targets of links.
+std::string prose_of(std::string page)
+{
+    for (const char* passed :
+         {"<!--@[^>]*-->[^<]*<!--@-->", "```[^]*?```", "`[^`]*`", "\\]\\([^)]*\\)", "\n    [^\n]*"})
         page = std::regex_replace(page, std::regex(passed), "#");
+    return page;
+}
+
+/// What of a page looks measured and was typed: numbers with a unit of time, size or comparison.
+std::vector<std::string> typed_figures(const std::string& page)
+{
+    const std::string prose = prose_of(page);
     const std::regex figure(
-        R"((^|[^\w.#])(\d[\d,.]*(e-?\d+)?)\s?(ms|us|ns|s|seconds|minutes|hours|%|times|x|fps|percent)(?=[^\w]|$))");
+        R"((^|[^\w.#])(\d[\d,.]*(e-?\d+)?)\s?(ms|us|ns|s|seconds|minutes|hours|%|times|x|fps|percent|frames|[KMG]i?B)(?=[^\w]|$))");
     std::vector<std::string> found;
-    for (std::sregex_iterator match(page.begin(), page.end(), figure), end; match != end; ++match) {
+    for (std::sregex_iterator match(prose.begin(), prose.end(), figure), end; match != end; ++match) {
         // "3 x 3" is a size.
         const std::string after = match->suffix().str().substr(0, 2);
         if ((*match)[4] == "x" && after.size() == 2 && std::isdigit(static_cast<unsigned char>(after[1]))) continue;
@@ -74,21 +94,53 @@ std::vector<std::string> typed_figures(std::string page)
     return found;
 }
 
+/// The parts of a page that tell what was measured.
+std::string measured_parts(const std::string& page)
+{
+    std::string parts;
+    for (const std::string begin : {"\n## Measured\n", "\n## Other implementations\n", "\n**Measured**"})
+        if (const std::size_t at = page.find(begin); at != std::string::npos)
+            parts += page.substr(at, page.find("\n## ", at + 1) - at);
+    return parts;
+}
+
+/// All that is typed in digits, names like F12 apart.
+std::string typed_numbers(const std::string& text)
+{
+    const std::string prose = prose_of(text);
+    const std::regex number(R"((^|[^\w.#])(\d([\d,.]*\d)?(e-?\d+)?))");
+    std::string found;
+    for (std::sregex_iterator match(prose.begin(), prose.end(), number), end; match != end; ++match)
+        found += (found.empty() ? "" : " ") + (*match)[2].str();
+    return found;
+}
+
+std::vector<fs::path> pages_in(const fs::path& folder)
+{
+    std::vector<fs::path> pages;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    return pages;
+}
+
 TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
 {
-    EXPECT_THAT(typed_figures("takes 12.5 ms, 3x less, 40 % of `7 s`, <!--@a: b .1f-->9 s<!--@--> and 3 x 3 pixels"),
-                testing::ElementsAre("12.5 ms", "3 x", "40 %"));
+    EXPECT_THAT(
+        typed_figures("takes 12.5 ms, 3x less, 40 % of `7 s`, <!--@a: b .1f-->9 s<!--@-->, 2 GiB and 3 x 3 pixels"),
+        testing::ElementsAre("12.5 ms", "3 x", "40 %", "2 GiB"));
     // What is set, not measured: limits that tests hold, steps and sizes of a method.
     const std::map<std::string, std::vector<std::string>> set{
-        {"drawn_lines.md", {"99.5 %"}},       // the limit of picture_and_drawing_test
-        {"hatching.md", {"6 %"}},             // the largest step of that definition, by its formula
-        {"light.md", {"8 times"}},            // samples of the reference
-        {"walking.md", {"120 s", "100 ms"}},  // ticks, and the longest frame of the random walks
+        {"devices.md", {"64 times", "30 frames"}},   // a threshold; what a walk holds
+        {"drawn_lines.md", {"99.5 %"}},              // the limit of picture_and_drawing_test
+        {"hatching.md", {"6 %"}},                    // the largest step of that definition, by its formula
+        {"level_files.md", {"2 GiB", "16 MiB"}},     // limits
+        {"light.md", {"8 times"}},                   // samples of the reference
+        {"strangers_files.md", {"2 GB", "64 KiB"}},  // limits of the fuzzers
+        {"walking.md", {"120 s", "100 ms"}},         // ticks, and the longest frame of the random walks
     };
-    std::vector<fs::path> pages{kDocs.parent_path() / "README.md", kDocs / "report" / "figures.md"};
-    for (const fs::path& folder : {kDocs, kDocs / "method"})
-        for (const auto& entry : fs::directory_iterator(folder))
-            if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    std::vector<fs::path> pages{kDocs.parent_path() / "README.md"};
+    for (const fs::path& folder : {kDocs, kDocs / "method", kDocs / "report"})
+        for (const fs::path& page : pages_in(folder)) pages.push_back(page);
     EXPECT_GT(pages.size(), 12u);
     for (const fs::path& page : pages) {
         const auto known = set.find(page.filename().string());
@@ -97,15 +149,41 @@ TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
     }
 }
 
+TEST(report_program, where_documents_tell_what_was_measured_every_number_is_filled_in_or_known_to_be_set)
+{
+    EXPECT_EQ(typed_numbers("of 1,000 rays 3.5 went on, in `7` rows of <!--@a: b .0f-->9<!--@-->; F12, 1e-6."),
+              "1,000 3.5 1e-6");
+    // By page: sizes of pictures, views and windows, limits of tests, columns. A figure that was measured is none of
+    // them.
+    const std::map<std::string, std::string> set{
+        {"devices.md", "320 200 16 255 5 25 1 256"},
+        {"drawn_lines.md", "4 3.5 1000 99.5"},
+        {"hatching.md", "3 1 1.5 6 99 5 80 200 1 17 17 95 1280 720 1 4 0 100 1 0 1 4"},
+        {"light.md", "512 8 8 8 8 4 8 4"},
+        {"silhouettes.md", "64 16 10,000 90 100 100"},
+        {"strangers_files.md", "64"},
+        {"visibility.md", "64 2,000 1 0.001"},
+        {"visible_lines.md", "1400 900 1.5"},
+        {"walking.md", "1 100 16 0.1"},
+    };
+    for (const fs::path& page : pages_in(kDocs / "method")) {
+        const auto known = set.find(page.filename().string());
+        EXPECT_EQ(typed_numbers(measured_parts(bytes_of(page))), known == set.end() ? "" : known->second) << page;
+    }
+    // Debian, keys, exit codes.
+    EXPECT_EQ(typed_numbers(bytes_of(kDocs.parent_path() / "README.md")), "12 1 9 0 0 1 2");
+}
+
 TEST(report_program, every_committed_result_of_a_measurement_is_of_a_commit_as_it_stands)
 {
     std::size_t results = 0;
     for (const auto& entry : fs::directory_iterator(kDocs / "report/results")) {
         const std::string name = entry.path().stem().string();
         if (name == "devices" || name == "fuzz") continue;  // a test and a script write these
+        const char* by = name == "game_map" ? "game_map_share.py " : "hatchway measure ";
         const std::string json = bytes_of(entry.path());
         EXPECT_TRUE(std::regex_search(json, std::regex("\"commit\": \"[0-9a-f]{10,40}\""))) << name;
-        EXPECT_THAT(json, testing::HasSubstr("\"command\": \"hatchway measure ")) << name;
+        EXPECT_THAT(json, testing::HasSubstr(std::string("\"command\": \"") + by)) << name;
         ++results;
     }
     EXPECT_GT(results, 12u);
@@ -159,6 +237,34 @@ TEST(measure_program, where_there_is_nothing_to_judge_there_is_no_perfect_result
         EXPECT_THAT(result.err, testing::HasSubstr(reason));
     }
     EXPECT_THAT(folder.names(), testing::ElementsAre("glass.gltf", "triangle.obj"));
+}
+
+TEST(measure_program, of_ink_maps_the_largest_step_of_any_level_is_told_and_the_pen_is_the_one_that_was_given)
+{
+    const TemporaryFolder folder;
+    const fs::path maps = kContent / "maps" / "ink";
+    const auto measured = [&](const std::string& pen) {
+        const ProgramResult result =
+            run_program({"measure", "ink", (maps / "stone_courses").string(), "--by-hand", (maps / "bricks").string(),
+                         "--pen", pen, "--json", folder / "ink.json"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return nlohmann::json::parse(bytes_of(folder / "ink.json"));
+    };
+    const nlohmann::json fine = measured("1.5"), wide = measured("3");
+    std::map<std::string, double> largest;
+    for (const nlohmann::json& row : fine["rows"]) {
+        double& step = largest[row["filter"]];
+        step = std::max(step, std::abs(row["tone_step"].get<double>()));
+    }
+    EXPECT_THAT(largest, testing::SizeIs(5)) << "as made, by hand, and three ways from a drawing";
+    for (const nlohmann::json& kind : fine["summary"])
+        EXPECT_NEAR(kind["largest_tone_step"].get<double>(), largest[kind["filter"]], 1e-6) << kind["filter"];
+    const auto width = [](const nlohmann::json& result) {
+        for (const nlohmann::json& row : result["rows"])
+            if (row["map"] == "bricks" && row["filter"] == "from pixels") return row["stroke_texels"].get<double>();
+        return 0.0;
+    };
+    EXPECT_NEAR(width(wide) / width(fine), 2.0, 0.1);
 }
 
 TEST(report_program, a_result_says_what_was_measured_where_and_the_page_repeats_it_when_results_are_reused)
