@@ -1,6 +1,7 @@
 #include "hatchway/world/open_backs.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <glm/matrix.hpp>
 #include <optional>
 
@@ -9,39 +10,48 @@
 namespace hw {
 namespace {
 
-struct Lamp {
+constexpr std::uint64_t kMostLookedAt = 20'000'000;  // triangles around places; past that what is closed is a solid
+
+/// Where something shines or somebody looks.
+struct Inmate {
     glm::dvec3 place_world;
     std::optional<ObjectId> object;  ///< That shines.
 };
 
-std::vector<Lamp> lamps_of(const Scene& scene, std::span<const Light> lights)
+std::vector<Inmate> inmates_of(const Scene& scene, std::span<const Light> lights,
+                               std::span<const glm::dvec3> eyes_world)
 {
-    std::vector<Lamp> lamps;
+    std::vector<Inmate> inmates;
+    for (const glm::dvec3& eye : eyes_world) inmates.push_back({eye, std::nullopt});
     for (const Light& light : lights)
-        if (light.type != LightType::sun) lamps.push_back({light.position_world, std::nullopt});
+        if (light.type != LightType::sun) inmates.push_back({light.position_world, std::nullopt});
     for (ObjectId id = 0; id < scene.objects.size(); ++id)
         if (scene.materials[scene.objects[id].material].emissive != glm::vec3(0.0f))
-            lamps.push_back({scene.objects[id].bounds_world.centre(), id});
-    return lamps;
+            inmates.push_back({scene.objects[id].bounds_world.centre(), id});
+    return inmates;
 }
 
-bool is_lit_inside(const Scene& scene, ObjectId id, std::span<const Lamp> lamps)
+bool is_room(const Scene& scene, ObjectId id, std::span<const Inmate> inmates, std::uint64_t& left)
 {
     const Object& object = scene.objects[id];
-    const auto is_inside = [&](const Lamp& lamp) {
-        const Box here{lamp.place_world, lamp.place_world};
-        if (lamp.object == id || !object.bounds_world.overlaps(here)) return false;
+    const std::uint64_t triangles = scene.meshes[object.mesh].triangle_count();
+    const auto is_inside = [&](const Inmate& inmate) {
+        const Box here{inmate.place_world, inmate.place_world};
+        if (inmate.object == id || !object.bounds_world.overlaps(here) || left < triangles) return false;
+        left -= triangles;
         const glm::dmat4 object_from_world = glm::inverse(scene.world_from_object(id));
-        return is_within_shell(scene.meshes[object.mesh], object_from_world * glm::dvec4(lamp.place_world, 1.0));
+        return is_within_shell(scene.meshes[object.mesh], object_from_world * glm::dvec4(inmate.place_world, 1.0));
     };
-    return std::any_of(lamps.begin(), lamps.end(), is_inside);
+    return std::any_of(inmates.begin(), inmates.end(), is_inside);
 }
 
 }  // namespace
 
-std::vector<bool> find_open_backs(const Scene& scene, std::span<const Light> lights)
+std::vector<bool> find_open_backs(const Scene& scene, std::span<const Light> lights,
+                                  std::span<const glm::dvec3> eyes_world)
 {
-    const std::vector<Lamp> lamps = lamps_of(scene, lights);
+    const std::vector<Inmate> inmates = inmates_of(scene, lights, eyes_world);
+    std::uint64_t left = kMostLookedAt;
     std::vector<std::optional<bool>> is_shell_of_mesh(scene.meshes.size());
     std::vector<bool> open;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
@@ -49,7 +59,7 @@ std::vector<bool> find_open_backs(const Scene& scene, std::span<const Light> lig
         std::optional<bool>& known = is_shell_of_mesh[object.mesh];
         const bool is_double_sided = scene.materials[object.material].is_double_sided;
         if (is_double_sided && !known) known = is_shell(scene.meshes[object.mesh]);
-        open.push_back(is_double_sided && (!*known || is_lit_inside(scene, id, lamps)));
+        open.push_back(is_double_sided && (!*known || is_room(scene, id, inmates, left)));
     }
     return open;
 }

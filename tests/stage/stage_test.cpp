@@ -132,6 +132,19 @@ TEST_F(stage, baked_light_shows_as_soon_as_it_is_written)
     EXPECT_NE(picture(), before);
 }
 
+TEST(level_light, is_looked_at_from_the_start_all_cameras_and_the_keys_of_paths)
+{
+    hw::Level level;
+    level.start = hw::StartPlace{.position = {1, 0, 0}};
+    level.cameras = {{.name = "hall", .eye_world = {2, 0, 0}}};
+    level.paths = {{.keys = {{.position = {3, 0, 0}}, {.t_s = 1.0, .position = {4, 0, 0}}}}};
+    hw::Scene scene;
+    scene.cameras = {{.name = "of the model", .eye_world = {5, 0, 0}}};
+    double sum = 0.0;
+    for (const glm::dvec3& eye : hw::light_sources_of(level, scene).eyes_world) sum += eye.x;
+    EXPECT_EQ(sum, 15.0) << "each once";
+}
+
 TEST_F(stage, rules_that_are_tried_out_come_last_and_go_again)
 {
     const auto before = picture();

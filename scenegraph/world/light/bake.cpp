@@ -12,6 +12,7 @@
 #include "hatchway/world/light/fill.hpp"
 #include "hatchway/world/light/layout.hpp"
 #include "hatchway/world/light/random.hpp"
+#include "hatchway/world/open_backs.hpp"
 
 namespace hw {
 namespace {
@@ -28,8 +29,9 @@ class Bake {
           sources_(sources),
           samples_(std::bit_ceil(std::max(1u, options.samples))),
           seed_(mixed(options.seed)),
-          lightmap_(plan_lightmap(scene, options.luxels_per_m, options.budget, options.receivers, sources.lights)),
-          rays_(scene, sources.lights),
+          lightmap_(plan_lightmap(scene, options.luxels_per_m, options.budget, options.receivers, sources.lights,
+                                  sources.eyes_world)),
+          rays_(scene, sources.lights, sources.eyes_world),
           points_(scene, lightmap_, rays_),
           places_(points_.luxels().size()),
           sums_(places_.size(), glm::vec3(0.0f))
@@ -214,6 +216,11 @@ std::uint64_t lightmap_key(const Scene& scene, const LightSources& sources)
                             int{scene.nodes[scene.objects[id].node].is_animated}});
         hash.add(scene.world_from_object(id));
     }
+    // Of the eyes only what they open counts: a camera may move about in its room.
+    const std::vector<bool> open = find_open_backs(scene, sources.lights, sources.eyes_world);
+    const std::vector<bool> lit = find_open_backs(scene, sources.lights);
+    for (ObjectId id = 0; id < scene.objects.size(); ++id)
+        if (open[id] != lit[id]) hash.add(id);
     return hash.value();
 }
 

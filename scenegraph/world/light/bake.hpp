@@ -36,7 +36,8 @@ using BakeObserver = std::function<void(const BakeState&)>;
 Lightmap bake_lightmap(const Scene& scene, const LightSources& sources, const BakeOptions& options,
                        const BakeObserver& observer = {});
 
-/// A hash of the state of a level that a lightmap is made for: meshes, materials, images, placed objects and lights.
+/// A hash of the state of a level that a lightmap is made for: meshes, materials, images, placed objects, lights, and
+/// the rooms that only an eye makes rooms.
 std::uint64_t lightmap_key(const Scene& scene, const LightSources& sources);
 
 }  // namespace hw

@@ -211,10 +211,11 @@ LightmapLayout lay_out(const MeshData& mesh, double luxels_per_unit)
 }
 
 Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t budget,
-                       std::span<const ObjectId> receivers, std::span<const Light> lights)
+                       std::span<const ObjectId> receivers, std::span<const Light> lights,
+                       std::span<const glm::dvec3> eyes_world)
 {
     const std::vector<bool> is_receiver = find_receivers(scene, receivers);
-    const std::vector<bool> open_backs = find_open_backs(scene, lights);
+    const std::vector<bool> open_backs = find_open_backs(scene, lights, eyes_world);
     for (double density = luxels_per_m; density > kLeastDensity; density *= kLessDense) {
         Lightmap lightmap;
         lightmap.luxels_per_m = density;

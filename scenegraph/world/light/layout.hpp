@@ -17,9 +17,10 @@ LightmapLayout lay_out(const MeshData& mesh, double luxels_per_unit);
 
 /// The lightmap of a scene with layouts, places and a size, its luxels all dark.
 /// At most `budget` luxels and 4096 a side: the density is lowered until they suffice. Throws hw::Error when not even
-/// coarse ones do. `receivers`: the objects that get a place; empty: all that take part in light. `lights`: as of
-/// LightScene.
+/// coarse ones do. `receivers`: the objects that get a place; empty: all that take part in light. `lights` and
+/// `eyes_world`: as of LightScene.
 Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t budget,
-                       std::span<const ObjectId> receivers = {}, std::span<const Light> lights = {});
+                       std::span<const ObjectId> receivers = {}, std::span<const Light> lights = {},
+                       std::span<const glm::dvec3> eyes_world = {});
 
 }  // namespace hw

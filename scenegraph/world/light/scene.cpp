@@ -132,8 +132,8 @@ bool blocks_light(const Scene& scene, ObjectId id)
            !scene.nodes[object.node].is_animated;
 }
 
-LightScene::LightScene(const Scene& scene, std::span<const Light> lights)
-    : scene_(scene), open_backs_(find_open_backs(scene, lights)), rays_(std::make_unique<Rays>())
+LightScene::LightScene(const Scene& scene, std::span<const Light> lights, std::span<const glm::dvec3> eyes_world)
+    : scene_(scene), open_backs_(find_open_backs(scene, lights, eyes_world)), rays_(std::make_unique<Rays>())
 {
     Box box;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {

@@ -32,8 +32,10 @@ struct Emitter {
 /// The scene must outlive it.
 class LightScene {
  public:
-    /// Of the lights only where they stand counts: what is closed around one is a room (find_open_backs()).
-    explicit LightScene(const Scene& scene, std::span<const Light> lights = {});
+    /// Of the lights only where they stand counts: what is closed around one, or around an eye, is a room
+    /// (find_open_backs()).
+    explicit LightScene(const Scene& scene, std::span<const Light> lights = {},
+                        std::span<const glm::dvec3> eyes_world = {});
     ~LightScene();
 
     const glm::dvec3& origin_world() const { return origin_world_; }

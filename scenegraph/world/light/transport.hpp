@@ -6,14 +6,15 @@
 
 namespace hw {
 
-/// All that shines on a scene, beside emissive materials.
+/// All that shines on a scene, beside emissive materials, and who looks.
 struct LightSources {
     std::vector<Light> lights;
-    glm::vec3 sky_luminance{0.0f};     ///< cd/m^2, of every direction above the horizon.
-    glm::vec3 ground_luminance{0.0f};  ///< cd/m^2, of every direction below it.
-    float emission_luminance = 0.0f;   ///< cd/m^2 of a material whose emission is 1.
-    float sun_radius_rad = 0.00465f;   ///< Half the angle that a sun fills: how soft its shadows are.
-    float lamp_radius_m = 0.05f;       ///< Of point and spot lights.
+    glm::vec3 sky_luminance{0.0f};       ///< cd/m^2, of every direction above the horizon.
+    glm::vec3 ground_luminance{0.0f};    ///< cd/m^2, of every direction below it.
+    float emission_luminance = 0.0f;     ///< cd/m^2 of a material whose emission is 1.
+    float sun_radius_rad = 0.00465f;     ///< Half the angle that a sun fills: how soft its shadows are.
+    float lamp_radius_m = 0.05f;         ///< Of point and spot lights.
+    std::vector<glm::dvec3> eyes_world;  ///< From where the light is looked at: find_open_backs().
 };
 
 /// A place that receives light. Relative to LightScene::origin_world().

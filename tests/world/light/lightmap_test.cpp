@@ -391,14 +391,14 @@ struct BoxOutside {
         sources.lights = {sun_along({0.3, -1.0, 0.2})};
     }
     /// Of the middle of the box' floor (the triangle that looks down) from within; of its roof from outside.
-    double lux(bool is_inside) const
+    double lux(bool is_inside) const { return lux(is_inside, is_inside ? 0.0f : 3.0f); }
+    double lux(bool is_inside, float wanted) const
     {
         const Lightmap lightmap = bake_lightmap(scene, sources, kQuick);
         EXPECT_EQ(lightmap.places[crate].sides, 1) << "beside it is a solid";
         const MeshData& mesh = scene.meshes[scene.objects[box].mesh];
         for (std::uint32_t triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
             const auto height = [&](int k) { return mesh.positions[mesh.indices[3 * triangle + k]].y; };
-            const float wanted = is_inside ? 0.0f : 3.0f;
             if (height(0) == wanted && height(1) == wanted && height(2) == wanted)
                 return lux_at(lightmap, scene, {box, triangle, kMiddle, is_inside});
         }
@@ -444,6 +444,23 @@ TEST(baked_light, a_crate_with_something_in_it_and_lamps_around_it_stays_a_solid
     EXPECT_EQ(find_open_backs(level.scene, lamps), std::vector<bool>(3, false));
     level.scene.materials[0].is_double_sided = false;
     EXPECT_FALSE(find_open_backs(level.scene, std::vector<Light>{lamp_at({0, 1, 0})})[level.box]);
+}
+
+TEST(baked_light, a_closed_box_around_an_eye_is_a_room_and_dark_inside)
+{
+    BoxOutside level;
+    const double outside = level.lux(false);
+    const std::uint64_t key = lightmap_key(level.scene, level.sources);
+    level.sources.eyes_world = {{7.0, 1.0, 0.0}, {0.0, 4.0, 0.0}};
+    EXPECT_EQ(lightmap_key(level.scene, level.sources), key) << "who looks from outside changes nothing";
+    EXPECT_GT(level.lux(true, 3.0f), 1000.0) << "the back of a solid's roof has the light of its front";
+    level.sources.eyes_world.push_back({1.0, 1.7, 0.5});
+    for (const float height : {0.0f, 3.0f}) EXPECT_EQ(level.lux(true, height), 0.0);
+    EXPECT_NEAR(level.lux(false), outside, 0.05 * outside);
+    const std::uint64_t room_key = lightmap_key(level.scene, level.sources);
+    EXPECT_NE(room_key, key);
+    level.sources.eyes_world.back().x = -1.0;
+    EXPECT_EQ(lightmap_key(level.scene, level.sources), room_key) << "a camera may move about in its room";
 }
 
 TEST(baked_light, a_room_is_one_however_it_is_placed)
