@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "hatchway/render/view/covered_pixels.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double kLayersOfMask = 4.0;
 constexpr double kLayersOfBlending = 20.0;
 constexpr double kLayersOfImage = 4.0;
+constexpr double kFewLayers = 0.01;      // of an object: it may be taken for as many as it can at most have
 constexpr double kLayersOfLine = 120.0;  // for each pixel along a line: it is some pixels wide
 
 double layers_of(AlphaMode mode)
@@ -36,27 +38,45 @@ double diagonal_px(const Box& box, const glm::mat4& clip_from_object, const glm:
     return std::min(glm::length(high - low), glm::length(size));
 }
 
+const Material& material_of(const LoadedScene& scene, const VisibleObject& object)
+{
+    return scene.input.scene->materials[scene.input.scene->objects[object.object].material];
+}
+
+double covered_by(const LoadedScene& scene, const VisibleSet& visible, std::size_t place, glm::ivec2 size_px)
+{
+    const VisibleObject& object = visible.objects[place];
+    const auto ranges = std::span(visible.ranges).subspan(object.first_range, object.range_count);
+    const float facing = material_of(scene, object).is_double_sided ? 0.0f : object.facing;
+    const MeshData& mesh = scene.input.scene->meshes[scene.input.scene->objects[object.object].mesh];
+    return covered_pixels(mesh, ranges, object.clip_from_object, facing, size_px);
+}
+
 }  // namespace
 
 FrameCost frame_cost(const LoadedScene& scene, const VisibleSet& visible, std::size_t image_count, glm::ivec2 size_px)
 {
-    const Scene& input = *scene.input.scene;
-    double covered_px = 0.0, line_px = 0.0;
+    const double pixels = static_cast<double>(size_px.x) * size_px.y;
+    std::vector<double> covered_px;
+    double line_px = 0.0;
     for (const VisibleObject& object : visible.objects) {
-        const Object& facts = input.objects[object.object];
-        const Material& material = input.materials[facts.material];
-        const auto ranges = std::span(visible.ranges).subspan(object.first_range, object.range_count);
-        const float facing = material.is_double_sided ? 0.0f : object.facing;
-        covered_px += layers_of(material.alpha_mode) *
-                      covered_pixels(input.meshes[facts.mesh], ranges, object.clip_from_object, facing, size_px);
-        const Box& bounds = scene.mesh_bounds[facts.mesh];
+        const int mesh = scene.input.scene->objects[object.object].mesh;
+        const Box& bounds = scene.mesh_bounds[mesh];
+        covered_px.push_back(most_covered_pixels(scene.mesh_areas[mesh], bounds, object.clip_from_object, size_px));
         const double diagonal = glm::length(bounds.size());
         if (diagonal > 0.0)
             line_px += scene.edges.line_length(object.object) / diagonal *
                        diagonal_px(bounds, object.clip_from_object, glm::dvec2(size_px));
     }
-    const double pixels = static_cast<double>(size_px.x) * size_px.y;
-    return {.face_layers = (1.0 + kLayersOfImage * static_cast<double>(image_count)) * covered_px / pixels,
+    // Most pictures are not deep whatever is in front of what. In others every triangle of what may be large is looked
+    // at.
+    const double most = std::accumulate(covered_px.begin(), covered_px.end(), 0.0);
+    for (std::size_t i = 0; i < covered_px.size() && most > kDeepLayers * pixels; ++i)
+        if (covered_px[i] > kFewLayers * pixels) covered_px[i] = covered_by(scene, visible, i, size_px);
+    double weighted_px = 0.0;
+    for (std::size_t i = 0; i < covered_px.size(); ++i)
+        weighted_px += layers_of(material_of(scene, visible.objects[i]).alpha_mode) * covered_px[i];
+    return {.face_layers = (1.0 + kLayersOfImage * static_cast<double>(image_count)) * weighted_px / pixels,
             .line_layers = kLayersOfLine * line_px / pixels};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <glm/geometric.hpp>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/render/repeats.hpp"
@@ -23,6 +24,17 @@ SurfaceFeatures features_of(const std::vector<Light>& lights)
     return features;
 }
 
+double area_of(const MeshData& mesh)
+{
+    double area = 0.0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                         c = mesh.positions[mesh.indices[i + 2]];
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    return area;
+}
+
 }  // namespace
 
 LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter)
@@ -38,6 +50,7 @@ LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode
     for (const MeshData& mesh : input.scene->meshes) {
         mesh_bounds.emplace_back();
         for (const glm::vec3& position : mesh.positions) mesh_bounds.back().add(glm::dvec3(position));
+        mesh_areas.push_back(area_of(mesh));
     }
     for (ObjectId id = 0; id < input.scene->objects.size(); ++id) is_all_baked &= lightmap.feature(id) != 0;
     set_looks(std::move(input.styles), std::move(input.objects));

@@ -39,6 +39,7 @@ struct LoadedScene {
     SurfaceFeatures light_features = 0;              ///< What programs are compiled for in this scene.
     bool is_all_baked = true;                        ///< Every object has baked light.
     std::vector<Box> mesh_bounds;                    ///< Object space.
+    std::vector<double> mesh_areas;                  ///< Object space.
     std::vector<std::uint8_t> repeats;               ///< Objects that are not drawn: find_repeats().
     std::vector<Needs> needs;                        ///< Of each style.
     std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.

@@ -129,8 +129,8 @@ TEST(mesh_import, stated_normals_are_kept)
 
 TEST(mesh_import, faces_that_a_half_edge_mesh_refuses_are_kept)
 {
-    // Four triangles at one edge, one of them twice the other way round.
-    const std::string off = "OFF\n5 4 0\n0 0 0\n0 1 0\n1 0 0\n-1 0 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 1 0 4\n";
+    const std::string off =
+        "OFF\n6 4 0\n0 0 0\n0 1 0\n1 0 0\n-1 0 0\n0 0 1\n0 0 -1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 1 0 5\n";
     EXPECT_EQ(triangles_of(import_text(off, "fan.off")).size(), 4u);
 }
 
