@@ -34,7 +34,7 @@ ReportSection silhouettes_section(const std::vector<std::string>& models)
         .title = "Silhouettes",
         .judge =
             "Rational arithmetic (measure/silhouettes/silhouette_oracle), which shares no code with the search. It "
-            "starts from the file's triangles, equal positions made one, and of triangles with the same corners "
+            "starts from the imported triangles, equal positions made one, and of triangles with the same corners "
             "one. An edge of two triangles is a silhouette where both lie on the same side of it in the picture; "
             "edges of one or of more than two are drawn from everywhere and count nowhere. fp and fn are edges that "
             "repair left alone, changed_fp and changed_fn those that it changed (stitched, cut, of a needle that "
@@ -222,7 +222,7 @@ ReportSection visible_lines_section(const std::string& prism, const std::string&
     return {.name = "visible_lines",
             .title = "Visible lines",
             .judge =
-                "measure/lines/ray_judge: all borders, creases and contours of the file's triangles, a ray for each "
+                "measure/lines/ray_judge: all borders, creases and contours of the imported triangles, a ray for each "
                 "pixel of them, no code of the search.",
             .leaves_out =
                 "Lines where objects go through each other (unjudged_px). Two lines within 1.5 pixels count as one. "
@@ -319,19 +319,23 @@ ReportSection scale_section()
                           .series_columns = {},
                           .is_joined = true};
     };
-    return {.name = "scale",
-            .title = "Size of levels",
-            .judge = "The same frame without the PVS, for pixels; times have no judge.",
-            .leaves_out =
-                "Styles other than photoreal, and the memory of a walker. What a frame draws differs between sizes "
-                "(column frame_triangles). One process measures all sizes, so its memory, read after the frames, holds "
-                "what it kept of smaller ones.",
-            .says =
-                "Rooms on a grid, from 64 to 500 of them, 10 objects each: what grows with the level, and a frame from "
-                "the first room. The pixels that differ from a frame drawn without the PVS must be none.",
-            .arguments = {"scale"},
-            .plots = {plot("Compile time", "compile_s", "seconds"), plot("Memory", "resident_mib", "MiB"),
-                      plot("A frame from the first room", "frame_ms", "median ms")}};
+    return {
+        .name = "scale",
+        .title = "Size of levels",
+        .judge = "The same frame without the PVS, for pixels; times have no judge.",
+        .leaves_out =
+            "Styles other than photoreal, and the memory of a walker. What a frame draws differs between sizes "
+            "(column frame_triangles). The memory is what the process grows by from before the level is opened to "
+            "after "
+            "its frames; what the device's driver keeps of smaller ones is no part of it. The compiler's budgets cap "
+            "clusters and the work on openings (column shortfalls: how many ran out), so the time flattens where more "
+            "is drawn than need be.",
+        .says =
+            "Rooms on a grid, from 64 to 500 of them, 10 objects each: what grows with the level, and a frame from "
+            "the first room. The pixels that differ from a frame drawn without the PVS must be none.",
+        .arguments = {"scale"},
+        .plots = {plot("Compile time", "compile_s", "seconds"), plot("Memory", "resident_mib", "MiB"),
+                  plot("A frame from the first room", "frame_ms", "median ms")}};
 }
 
 }  // namespace

@@ -130,8 +130,8 @@ TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
         testing::ElementsAre("12.5 ms", "3 x", "40 %", "2 GiB"));
     // What is set, not measured: limits that tests hold, steps and sizes of a method.
     const std::map<std::string, std::vector<std::string>> set{
-        {"devices.md", {"64 times", "30 frames"}},   // a threshold; what a walk holds
-        {"drawn_lines.md", {"99.5 %"}},              // the limit of picture_and_drawing_test
+        {"devices.md", {"30 frames"}},               // what a walk holds
+        {"drawn_lines.md", {"99.5 %", "99.4 %"}},    // limits of picture_and_drawing_test
         {"hatching.md", {"6 %"}},                    // the largest step of that definition, by its formula
         {"level_files.md", {"2 GiB", "16 MiB"}},     // limits
         {"light.md", {"8 times"}},                   // samples of the reference
@@ -157,7 +157,7 @@ TEST(report_program, where_documents_tell_what_was_measured_every_number_is_fill
     // them.
     const std::map<std::string, std::string> set{
         {"devices.md", "320 200 16 255 5 25 1 256"},
-        {"drawn_lines.md", "4 3.5 1000 99.5"},
+        {"drawn_lines.md", "4 3.5 1000 99.5 99.4"},
         {"hatching.md", "3 1 1.5 6 99 5 80 200 1 17 17 95 1280 720 1 4 0 100 1 0 1 4"},
         {"light.md", "512 8 8 8 8 4 8 4"},
         {"silhouettes.md", "64 16 10,000 90 100 100"},
@@ -237,6 +237,19 @@ TEST(measure_program, where_there_is_nothing_to_judge_there_is_no_perfect_result
         EXPECT_THAT(result.err, testing::HasSubstr(reason));
     }
     EXPECT_THAT(folder.names(), testing::ElementsAre("glass.gltf", "triangle.obj"));
+}
+
+TEST(measure_program, what_looks_away_from_everything_has_no_share_of_errors)
+{
+    const TemporaryFolder folder;
+    folder.write("prism.glb", bytes_of(kContent / "models" / "prism.glb"));
+    const std::string away = folder.write("away.level.json", R"({"format": "hatchway-level/1", "scene": "prism.glb",
+"cameras": {"away": {"position": [50, 0, 0], "look_at": [60, 0, 0]}}})");
+    const std::string out = folder / "rows.json";
+    ASSERT_EQ(run_program({"measure", "visible-lines", away, "--json", out}).exit_code, 0);
+    const nlohmann::json lines = nlohmann::json::parse(bytes_of(out));
+    ASSERT_FALSE(lines["rows"].empty());
+    for (const nlohmann::json& row : lines["rows"]) EXPECT_TRUE(row["missed"].is_null()) << row;
 }
 
 TEST(measure_program, of_ink_maps_the_largest_step_of_any_level_is_told_and_the_pen_is_the_one_that_was_given)

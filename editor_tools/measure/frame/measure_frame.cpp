@@ -130,13 +130,14 @@ JsonValue row_json(const Row& row)
     }
     std::vector<double> triangles;
     for (const FrameStats& stats : row.series.frames) triangles.push_back(static_cast<double>(stats.triangles));
+    const bool has_drawn = std::any_of(triangles.begin(), triangles.end(), [](double count) { return count > 0.0; });
     JsonValue json = JsonValue::object();
     json.set("style", row.style).set("samples", row.samples).set("pvs", row.pvs);
     json.set("visible_share", row.visible_share).set("compile_s", row.compile_s);
     json.set("frames", static_cast<std::uint64_t>(row.series.frames.size()));
     json.set("median_ms", std::move(median)).set("p95_ms", std::move(p95));
     json.set("median_triangles", quantile(std::move(triangles), 0.5));
-    json.set("pixels_unlike_without_pvs", row.series.unlike_share);
+    json.set("pixels_unlike_without_pvs", has_drawn ? row.series.unlike_share : measure::kNoValue);
     return json;
 }
 

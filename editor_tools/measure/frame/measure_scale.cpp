@@ -2,6 +2,7 @@
 // Slopes are of a straight line through the logarithms: 1 is proportional, 0 constant. The error beside the time is the
 // share of pixels that differ from the frame drawn without the PVS.
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -59,8 +60,10 @@ struct Row {
     double open_s = 0.0;        ///< First time: import, compile, upload.
     double compile_s = 0.0;     ///< Of it, the visibility alone.
     double open_again_s = 0.0;  ///< With the compiled level at hand.
-    double resident_mib = 0.0;
-    double frame_ms = 0.0;  ///< Medians.
+    double resident_mib = 0.0;  ///< What the process grew by.
+    int clusters = 0;
+    std::uint64_t shortfalls = 0;  ///< Budgets of the compiler that ran out.
+    double frame_ms = 0.0;         ///< Medians.
     double visibility_ms = 0.0;
     double frame_triangles = 0.0;
     double visible_share = 0.0;
@@ -124,6 +127,8 @@ Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::p
     const fs::path file = folder / fmt::format("rooms_{}.glb", rooms);
     Row row;
     row.level = measure::write_scale_level(file, rooms);
+    ::malloc_trim(0);  // what was freed before is given back, and so is no part of what this level takes
+    const double before_mib = resident_mib();
     const StageOptions options{
         .file = file, .style_overrides = {"*=" + arguments.style}, .cache = CompiledCache{folder}};
     {
@@ -132,12 +137,14 @@ Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::p
         row.open_s = seconds_since(start);
         row.compile_s = stage.visibility()->stats.seconds;
         row.visible_share = stage.visibility()->stats.average_visible_share;
+        row.clusters = stage.visibility()->stats.clusters;
+        row.shortfalls = stage.visibility()->stats.shortfalls.size();
     }
     const auto start = Clock::now();
     Stage stage(context, options);
     row.open_again_s = seconds_since(start);
     draw_frames(stage, arguments, parse_size(arguments.size), row);
-    row.resident_mib = resident_mib();
+    row.resident_mib = resident_mib() - before_mib;
     return row;
 }
 
@@ -147,6 +154,7 @@ JsonValue row_json(const Row& row)
     json.set("rooms", row.level.rooms).set("objects", row.level.objects).set("triangles", row.level.triangles);
     json.set("open_s", row.open_s).set("compile_s", row.compile_s).set("open_again_s", row.open_again_s);
     json.set("resident_mib", row.resident_mib).set("visible_share", row.visible_share);
+    json.set("clusters", row.clusters).set("shortfalls", row.shortfalls);
     json.set("frame_ms", row.frame_ms).set("visibility_ms", row.visibility_ms);
     json.set("frame_triangles", row.frame_triangles).set("pixels_unlike_without_pvs", row.differing_share);
     return json;

@@ -32,7 +32,7 @@ constexpr double kSteepestShare = 0.98;  // of a sphere's radius: sin of 80 degr
 
 struct HatchMeasureArguments {
     std::vector<double> angles{0.0, 22.5, 45.0, 60.0, 70.0, 80.0};
-    std::vector<double> distances{1.0, 1.4, 2.0, 5.6, 16.0, 45.0, 90.0, 181.0, 256.0};
+    std::vector<double> distances{1.1, 1.4, 2.0, 5.6, 16.0, 45.0, 90.0, 181.0, 256.0};
     std::filesystem::path pictures;
     MeasureResult result;
 };

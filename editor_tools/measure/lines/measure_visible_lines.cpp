@@ -13,6 +13,7 @@
 #include "measure/lines/ray_judge.hpp"
 #include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/no_value.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
 #include "program/output_files.hpp"
@@ -37,8 +38,11 @@ struct Row {
     double warm_s = 0.0;  ///< Of a view, mean.
     RayVerdict verdict;
 
-    double share_of_visible(double px) const { return verdict.visible_px > 0.0 ? px / verdict.visible_px : 0.0; }
-    double extra() const { return verdict.found_px > 0.0 ? verdict.extra_px / verdict.found_px : 0.0; }
+    double share_of_visible(double px) const
+    {
+        return verdict.visible_px > 0.0 ? px / verdict.visible_px : measure::kNoValue;
+    }
+    double extra() const { return verdict.found_px > 0.0 ? verdict.extra_px / verdict.found_px : measure::kNoValue; }
 };
 
 JudgedLine judged(std::vector<glm::dvec2> points_px, bool is_closed, bool is_intersection)

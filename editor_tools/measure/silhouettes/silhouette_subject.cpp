@@ -75,8 +75,18 @@ Surface in_model_order(const Surface& surface)
     std::sort(order.begin(), order.end(),
               [&](auto a, auto b) { return surface.face_triangle[a] < surface.face_triangle[b]; });
     Surface plain;
-    plain.positions = surface.positions;
-    for (const std::uint32_t face : order) plain.faces.push_back(surface.faces[face]);
+    std::vector<std::uint32_t> new_id(surface.positions.size(), kNoFace);
+    for (const std::uint32_t face : order) {
+        FaceCorners corners = surface.faces[face];
+        for (std::uint32_t& corner : corners) {
+            if (new_id[corner] == kNoFace) {
+                new_id[corner] = static_cast<std::uint32_t>(plain.positions.size());
+                plain.positions.push_back(surface.positions[corner]);
+            }
+            corner = new_id[corner];
+        }
+        plain.faces.push_back(corners);
+    }
     return plain;
 }
 

@@ -25,7 +25,8 @@ class EdgeStore {
     const Surface* surface(ObjectId object) const { return objects_[object].surface; }
     /// The lines at a crease angle; null where prepare() was not asked for it.
     const LineMesh* lines(ObjectId object, float crease_rad) const;
-    /// Of an object's lines, object space; 0 where there are none. Of several crease angles that with the longest lines.
+    /// Of an object's lines, object space; 0 where there are none. Of several crease angles that with the longest
+    /// lines.
     double line_length(ObjectId object) const;
     const glm::dmat4& world_from_object(ObjectId object) const { return scene_.world_from_object(object); }
 
