@@ -327,7 +327,8 @@ ReportSection scale_section()
             "Styles other than photoreal, and the memory of a walker. What a frame draws differs between sizes "
             "(column frame_triangles). The memory is what the process grows by from before the level is opened to "
             "after "
-            "its frames; what the device's driver keeps of smaller ones is no part of it. The compiler's budgets cap "
+            "its frames; what a small level made the driver keep, and what smaller ones left, is no part of it. The "
+            "compiler's budgets cap "
             "clusters and the work on openings (column shortfalls: how many ran out), so the time flattens where more "
             "is drawn than need be.",
         .says =
