@@ -13,8 +13,9 @@ namespace {
 constexpr double kLayersOfMask = 4.0;
 constexpr double kLayersOfBlending = 20.0;
 constexpr double kLayersOfImage = 4.0;
-constexpr double kFewLayers = 0.01;      // of an object: it may be taken for as many as it can at most have
-constexpr double kLayersOfLine = 120.0;  // for each pixel along a line: it is some pixels wide
+constexpr double kFewLayers = 0.01;             // of an object: it may be taken for as many as it can at most have
+constexpr double kSmallPicture_px = 576'000.0;  // in smaller ones lines cost little however many lie over a pixel
+constexpr double kLayersOfLine = 120.0;         // for each pixel along a line: it is some pixels wide
 
 double layers_of(AlphaMode mode)
 {
@@ -77,7 +78,7 @@ FrameCost frame_cost(const LoadedScene& scene, const VisibleSet& visible, std::s
     for (std::size_t i = 0; i < covered_px.size(); ++i)
         weighted_px += layers_of(material_of(scene, visible.objects[i]).alpha_mode) * covered_px[i];
     return {.face_layers = (1.0 + kLayersOfImage * static_cast<double>(image_count)) * weighted_px / pixels,
-            .line_layers = kLayersOfLine * line_px / pixels};
+            .line_layers = kLayersOfLine * line_px / std::max(pixels, kSmallPicture_px)};
 }
 
 }  // namespace hw
