@@ -244,12 +244,21 @@ TEST(measure_program, what_looks_away_from_everything_has_no_share_of_errors)
     const TemporaryFolder folder;
     folder.write("prism.glb", bytes_of(kContent / "models" / "prism.glb"));
     const std::string away = folder.write("away.level.json", R"({"format": "hatchway-level/1", "scene": "prism.glb",
-"cameras": {"away": {"position": [50, 0, 0], "look_at": [60, 0, 0]}}})");
+"cameras": {"away": {"position": [50, 0, 0], "look_at": [60, 0, 0]}},
+"paths": {"away": {"fps": 25, "keys": [{"t_s": 0, "position": [50, 0, 0], "look_at": [60, 0, 0]},
+{"t_s": 1, "position": [51, 0, 0], "look_at": [60, 0, 0]}]}}})");
     const std::string out = folder / "rows.json";
-    ASSERT_EQ(run_program({"measure", "visible-lines", away, "--json", out}).exit_code, 0);
-    const nlohmann::json lines = nlohmann::json::parse(bytes_of(out));
-    ASSERT_FALSE(lines["rows"].empty());
-    for (const nlohmann::json& row : lines["rows"]) EXPECT_TRUE(row["missed"].is_null()) << row;
+    const auto expect_null = [&](std::vector<std::string> words, const char* column) {
+        words.insert(words.begin(), "measure");
+        words.insert(words.end(), {"--json", out});
+        ASSERT_EQ(run_program(words).exit_code, 0);
+        const nlohmann::json result = nlohmann::json::parse(bytes_of(out));
+        ASSERT_FALSE(result["rows"].empty());
+        for (const nlohmann::json& row : result["rows"]) EXPECT_TRUE(row.at(column).is_null()) << row;
+    };
+    expect_null({"visible-lines", away}, "missed");
+    expect_null({"frame", away, "--path", "away", "--frames", "2", "--size", "64x48", "--style", "*=photoreal"},
+                "pixels_unlike_without_pvs");
 }
 
 TEST(measure_program, of_ink_maps_the_largest_step_of_any_level_is_told_and_the_pen_is_the_one_that_was_given)

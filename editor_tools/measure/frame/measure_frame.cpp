@@ -120,6 +120,13 @@ std::vector<Row> measure_rows(const std::vector<EffortStage>& stages, const std:
     return rows;
 }
 
+/// Of frames that show nothing there is none.
+double unlike_share(const Row& row)
+{
+    const auto has_drawn = [](const FrameStats& stats) { return stats.triangles > 0; };
+    return std::ranges::any_of(row.series.frames, has_drawn) ? row.series.unlike_share : measure::kNoValue;
+}
+
 JsonValue row_json(const Row& row)
 {
     JsonValue median = JsonValue::object();
@@ -130,14 +137,13 @@ JsonValue row_json(const Row& row)
     }
     std::vector<double> triangles;
     for (const FrameStats& stats : row.series.frames) triangles.push_back(static_cast<double>(stats.triangles));
-    const bool has_drawn = std::any_of(triangles.begin(), triangles.end(), [](double count) { return count > 0.0; });
     JsonValue json = JsonValue::object();
     json.set("style", row.style).set("samples", row.samples).set("pvs", row.pvs);
     json.set("visible_share", row.visible_share).set("compile_s", row.compile_s);
     json.set("frames", static_cast<std::uint64_t>(row.series.frames.size()));
     json.set("median_ms", std::move(median)).set("p95_ms", std::move(p95));
     json.set("median_triangles", quantile(std::move(triangles), 0.5));
-    json.set("pixels_unlike_without_pvs", has_drawn ? row.series.unlike_share : measure::kNoValue);
+    json.set("pixels_unlike_without_pvs", unlike_share(row));
     return json;
 }
 
@@ -149,7 +155,7 @@ std::string row_text(const Row& row)
         text += fmt::format("  {} {:.2f} ({:.2f})", phase.name, phase_ms(row, phase, 0.5), phase_ms(row, phase, 0.95));
     if (row.pvs != kNoPvs)
         text += fmt::format("  visible {:.1f} %, pixels unlike without PVS {:.4f} %", 100.0 * row.visible_share,
-                            100.0 * row.series.unlike_share);
+                            100.0 * unlike_share(row));
     return text + '\n';
 }
 

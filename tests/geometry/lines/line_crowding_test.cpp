@@ -102,6 +102,24 @@ TEST(line_crowding, of_a_sphere_thins_its_outline_when_it_is_as_small_as_the_win
     EXPECT_LT(share_at(crowding, place, 4.0f), 0.7f);
 }
 
+TEST(line_crowding, is_the_same_where_it_is_asked_for_whether_or_not_it_was_told_where)
+{
+    for (const hw::MeshData& mesh : {torus(48, 24), box({-1, -1, -1}, {1, 1, 1})}) {
+        const hw::Surface surface = hw::build_surface(mesh);
+        const std::vector<hw::CrowdingLine> lines = hw::crowding_lines(surface, 0.2f, nullptr, {});
+        ASSERT_FALSE(lines.empty());
+        std::vector<glm::vec3> places;
+        for (std::size_t i = 0; i < lines.size(); i += 7) {
+            places.push_back(lines[i].ends[0]);
+            places.push_back(0.5f * (lines[i].ends[0] + lines[i].ends[1]));
+        }
+        const hw::LineCrowding anywhere(lines), there(lines, places);
+        EXPECT_LT(there.bytes(), anywhere.bytes());
+        const std::vector<glm::vec4> expected = anywhere.at(places), found = there.at(places);
+        for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(found[i], expected[i]);
+    }
+}
+
 TEST(line_crowding, does_not_depend_on_the_unit_of_length)
 {
     const hw::Surface ring = hw::build_surface(torus(32, 16));
