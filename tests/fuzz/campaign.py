@@ -3,8 +3,9 @@
     cmake --preset fuzz && cmake --build --preset fuzz
     python3 tests/fuzz/campaign.py build/fuzz docs/report/results/fuzz.json --turn-s 120 --rounds 30
 
-Each fuzzer runs as its test does, but for the time: with its corpus, its words and its limits. What fails is kept in found/ of the build
-folder. An end that is no success counts as a fault, until somebody has looked at it.
+Each fuzzer runs as its test does, but for the time: with its corpus, its words and its limits, of which 30 s per input become 600, since the
+clock says little at idle priority. What fails is kept in found/ of the build folder. An end that is no success counts as a fault, and stays
+one in the file when it was mended. The build has to be of a commit as it stands; the file says how many CPU seconds each commit got.
 """
 import argparse
 import json
@@ -13,6 +14,7 @@ import re
 import subprocess
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from datetime import date
 from pathlib import Path
 
 
@@ -24,7 +26,6 @@ def fuzzers(build):
 
 def turn(command, seconds, found):
     """What one turn of a fuzzer took."""
-    # Wall clock says little at idle priority, so a limit of time per input would find slow machines.
     command = ["chrt", "-i", "0", *command, f"-max_total_time={seconds}", "-timeout=600", f"-artifact_prefix={found}"]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, errors="replace")
     text = process.stderr.read()
@@ -33,6 +34,20 @@ def turn(command, seconds, found):
     edges = re.findall(r"cov: (\d+)", text)
     return {"executions": int(executions[-1]) if executions else 0, "cpu_s": usage.ru_utime + usage.ru_stime,
             "faults": int(status != 0), "edges": int(edges[-1]) if edges else 0}
+
+
+def commit_of(build):
+    """Of the sources that a build folder was made from; they have to be as committed."""
+    cache = (Path(build) / "CMakeCache.txt").read_text()
+    sources = re.search(r"^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$", cache, re.MULTILINE)[1]
+    git = ["git", "-C", sources]
+    if subprocess.run([*git, "status", "--porcelain", "--untracked-files=no"], check=True, capture_output=True).stdout:
+        raise SystemExit("commit first: what was fuzzed has to have a name")
+    return subprocess.run([*git, "rev-parse", "--short=10", "HEAD"], check=True, capture_output=True, text=True).stdout.strip()
+
+
+def processor():
+    return re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)[1]
 
 
 def add(rows, name, took):
@@ -52,9 +67,11 @@ def main():
     arguments.add_argument("--turn-s", type=int, default=120)
     arguments.add_argument("--rounds", type=int, default=1)
     options = arguments.parse_args()
+    commit = commit_of(options.build)
     found = Path(options.build).resolve() / "found"
     found.mkdir(exist_ok=True)
-    rows = json.loads(options.json.read_text())["rows"] if options.json.exists() else []
+    before = json.loads(options.json.read_text()) if options.json.exists() else {}
+    rows, commits = before.get("rows", []), before.get("origin", {}).get("cpu_s_of_commits", {})
     lock = threading.Lock()
 
     def run(named):
@@ -62,8 +79,11 @@ def main():
         took = turn(command, options.turn_s, f"{found}/{name}-")
         with lock:
             add(rows, name, took)
+            commits[commit] = commits.get(commit, 0.0) + took["cpu_s"]
             totals = {key: sum(row[key] for row in rows) for key in ("executions", "cpu_s", "faults")}
-            options.json.write_text(json.dumps({"measure": "fuzz", **totals, "rows": rows}, indent=2) + "\n")
+            origin = {"commit": commit, "processor": processor(), "date": str(date.today()), "cpu_s_of_commits": commits,
+                      "command": f"campaign.py build/fuzz --turn-s {options.turn_s}"}
+            options.json.write_text(json.dumps({"measure": "fuzz", **totals, "rows": rows, "origin": origin}, indent=2) + "\n")
 
     with ThreadPoolExecutor(max_workers=2) as two:
         list(two.map(run, list(fuzzers(options.build).items()) * options.rounds))

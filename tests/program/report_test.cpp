@@ -179,8 +179,10 @@ TEST(report_program, every_committed_result_of_a_measurement_is_of_a_commit_as_i
     std::size_t results = 0;
     for (const auto& entry : fs::directory_iterator(kDocs / "report/results")) {
         const std::string name = entry.path().stem().string();
-        if (name == "devices" || name == "fuzz") continue;  // a test and a script write these
-        const char* by = name == "game_map" ? "game_map_share.py " : "hatchway measure ";
+        const char* by = name == "game_map"  ? "game_map_share.py "
+                         : name == "fuzz"    ? "campaign.py "
+                         : name == "devices" ? "test_program "
+                                             : "hatchway measure ";
         const std::string json = bytes_of(entry.path());
         EXPECT_TRUE(std::regex_search(json, std::regex("\"commit\": \"[0-9a-f]{10,40}\""))) << name;
         EXPECT_THAT(json, testing::HasSubstr(std::string("\"command\": \"") + by)) << name;

@@ -90,7 +90,18 @@ Picture picture_of(const Shown& shown, const Device& device)
     return {read_image(png), nlohmann::json::parse(bytes_of(json)).at("device")};
 }
 
-/// For docs/devices.md: HATCHWAY_DEVICES_JSON names the file that all that was compared in this process is written to.
+/// Where and by which build results are made, as `hatchway measure` says it.
+nlohmann::ordered_json origin()
+{
+    const TemporaryFolder folder;
+    const std::string json = folder / "bsp.json";
+    EXPECT_EQ(run_program({"measure", "bsp", kContent / "models/prism.glb", "--json", json}).exit_code, 0);
+    auto result = nlohmann::ordered_json::parse(bytes_of(json)).at("origin");
+    result["command"] = "test_program --gtest_filter='second_device.*'";
+    return result;
+}
+
+/// For docs/method/devices.md: HATCHWAY_DEVICES_JSON names the file for all that was compared in this process.
 void keep(const Shown& shown, const std::string& compared, const Difference& found)
 {
     static auto rows = nlohmann::ordered_json::array();
@@ -99,8 +110,10 @@ void keep(const Shown& shown, const std::string& compared, const Difference& fou
                     {"inked", found.inked},
                     {"unlike", found.unlike},
                     {"largest", found.largest}});
-    if (const char* file = std::getenv("HATCHWAY_DEVICES_JSON"))
-        std::ofstream(file) << nlohmann::ordered_json{{"rows", rows}}.dump(2) << '\n';
+    const char* file = std::getenv("HATCHWAY_DEVICES_JSON");
+    if (file == nullptr) return;
+    static const nlohmann::ordered_json made = origin();
+    std::ofstream(file) << nlohmann::ordered_json{{"rows", rows}, {"origin", made}}.dump(2) << '\n';
 }
 
 /// At most this share of the inked pixels may be unlike: edges that fall to the neighbouring pixel.

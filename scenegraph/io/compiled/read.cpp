@@ -35,6 +35,7 @@ class WorldReader {
         require(world_.effort() <= static_cast<std::uint8_t>(PvsEffort::exact), "the effort is unknown");
         level.effort = static_cast<PvsEffort>(world_.effort());
         Visibility& visibility = level.visibility;
+        check_alignment();
         check_chunks();
         number_slots(scene_, chunks_of_mesh_, visibility);
         read_leaves(visibility.tree);
@@ -67,6 +68,17 @@ class WorldReader {
         const Box result{point(space.min(), 2.0 * limits::kMaxCoordinate),
                          point(space.max(), 2.0 * limits::kMaxCoordinate)};
         return result.is_empty() ? Box() : result;
+    }
+
+    /// The verifier lets elements of 8 bytes start at any 4.
+    void check_alignment() const
+    {
+        const auto is_aligned = [](const auto* vector) {
+            return reinterpret_cast<std::uintptr_t>(vector->Data()) % alignof(double) == 0;
+        };
+        require(is_aligned(world_.planes()) && is_aligned(world_.portals()) && is_aligned(world_.portal_corners()) &&
+                    is_aligned(world_.cluster_boxes()),
+                "numbers start where none may stand");
     }
 
     void check_chunks() const

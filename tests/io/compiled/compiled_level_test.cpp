@@ -101,6 +101,29 @@ TEST(compiled_level, what_was_made_to_deceive_is_never_a_crash)
     EXPECT_GT(taken, 0) << "signed files get past the hash, so that the checks behind it are what is tested";
 }
 
+// Found by a fuzzer: four bytes further on, the first plane reads as one, but its numbers are of 8 bytes.
+TEST(compiled_level, numbers_that_start_where_none_may_stand_are_refused)
+{
+    const Rooms rooms;
+    const std::vector<std::byte> good = rooms.bytes();
+    const Signature signature(good);
+    int refused = 0;
+    for (std::size_t at = signature.content; at + 4 <= signature.content + signature.size; at += 4) {
+        std::vector<std::byte> bytes = good;
+        std::uint32_t word = 0;
+        std::memcpy(&word, &bytes[at], 4);
+        word += 4;
+        std::memcpy(&bytes[at], &word, 4);
+        signature.renew(bytes);
+        try {
+            rooms.read(bytes);
+        } catch (const hw::Error& error) {
+            refused += std::string_view(error.what()).find("start where none may stand") != std::string_view::npos;
+        }
+    }
+    EXPECT_GE(refused, 3) << "planes, portals, corners; boxes of clusters end the content and no longer fit";
+}
+
 TEST(compiled_level, portals_that_are_written_as_a_portal_file_show_the_same)
 {
     const Rooms rooms;
