@@ -229,8 +229,9 @@ ReportSection visible_lines_section(const std::string& prism, const std::string&
                 "What lies within a thousandth of its distance behind something counts as neither seen nor hidden.",
             .says =
                 "The exact lines at 1400 x 900: the share of what is visible that they miss, that the style's far "
-                "policy leaves out (thinned), and the share of them that no visible edge explains (extra). Seconds "
-                "from the imported scene (cold: adjacency, edge table, seams, intersections and one view) and of one "
+                "policy leaves out (thinned), and the share of them that no visible edge explains across which the "
+                "surface bends or ends (extra). Seconds from the imported scene (cold: adjacency, edge table, seams, "
+                "intersections and one view) and of one "
                 "view of a prepared scene (warm).",
             .arguments = joined(std::move(arguments), {"--views", "2"}),
             .plots = {{.title = "Cold time against missed lines",

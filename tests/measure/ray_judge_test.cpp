@@ -122,6 +122,17 @@ TEST(ray_judge, small_folds_are_lines_where_the_normals_split_but_not_all_of_the
     EXPECT_NEAR(visible_px(roof_with_split_normals({true, true, true, true, true})), outline, 1.0);
 }
 
+TEST(ray_judge, a_line_along_a_joint_in_one_plane_is_extra_though_edges_are_there)
+{
+    test::SceneBuilder builder;
+    for (const double left : {-0.5, 0.5}) builder.box({left, -1.0, -1.0}, {left + 1.0, 1.0, 0.0}, false);
+    const std::vector<JudgedLine> joint{{{{216.0, 112.0}, {216.0, 248.0}}}};
+    const Scene scene = builder.scene();
+    EXPECT_NEAR(RayJudge(scene, kCrease).judge(kCamera, joint, joint).extra_px, 136.0, 1e-6);
+    const std::vector<JudgedLine> outline{{{{144.0, 112.0}, {144.0, 248.0}}}};
+    EXPECT_EQ(RayJudge(scene, kCrease).judge(kCamera, outline, outline).extra_px, 0.0);
+}
+
 TEST(ray_judge, a_joint_beside_a_step_of_less_than_a_pixel_is_no_line)
 {
     // Of two slabs side by side the left one ends after 1.8 pixels.

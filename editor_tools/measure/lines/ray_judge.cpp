@@ -19,6 +19,8 @@ constexpr double kHidden = 1.0 - 1e-3;  // blocked before, it is hidden
 constexpr double kBeside_px = 0.1;      // where rays ask whether the surface runs straight on: less than what is seen
 constexpr double kStraightCosine = 0.9998;
 constexpr double kStraightShare = 1e-3;  // off the plane, of the distance
+constexpr double kFlatCosine = 1.0 - 1e-6;
+constexpr double kFlatShare = 1e-5;
 
 /// The pinhole, eye-relative.
 struct Pinhole {
@@ -153,16 +155,24 @@ class Blockers {
     RTCScene scene_;
 };
 
-/// Whether the surface that is seen on both sides of an edge is one plane: no line is to be there.
-bool runs_straight_on(const Blockers& blockers, const Pinhole& pinhole, const glm::dvec2& at, const glm::dvec2& across)
+/// How far the surface that is seen on both sides of an edge is from one plane, in which no line is to be.
+struct Bend {
+    double cosine = -1.0;  ///< Between the normals.
+    double step = 1.0;     ///< Off the plane, of the distance.
+
+    bool may_be_none() const { return cosine >= kStraightCosine && step < kStraightShare; }
+    bool is_surely_none() const { return cosine >= kFlatCosine && step < kFlatShare; }
+};
+
+Bend bend_at(const Blockers& blockers, const Pinhole& pinhole, const glm::dvec2& at, const glm::dvec2& across)
 {
     constexpr double kFar = 1e9;
     const glm::dvec3 left_way = pinhole.ray(at - kBeside_px * across);
     const glm::dvec3 right_way = pinhole.ray(at + kBeside_px * across);
     const auto left = blockers.first(left_way, kFar), right = blockers.first(right_way, kFar);
-    if (!left || !right || std::abs(glm::dot(left->normal, right->normal)) < kStraightCosine) return false;
+    if (!left || !right) return {};
     const glm::dvec3 step = right->share * right_way - left->share * left_way;
-    return std::abs(glm::dot(step, left->normal)) < kStraightShare * left->share;
+    return {std::abs(glm::dot(left->normal, right->normal)), std::abs(glm::dot(step, left->normal)) / left->share};
 }
 
 }  // namespace
@@ -228,8 +238,9 @@ struct RayJudge::Look {
         verdict.candidates_px += length;
         const auto before = blockers.first(way, kSeen);
         if (before && before->share < kHidden) return;
-        may_be.add(at);
-        if (before || !edge.is_sure || runs_straight_on(blockers, pinhole, at, across)) return;
+        const Bend bend = bend_at(blockers, pinhole, at, across);
+        if (!bend.is_surely_none()) may_be.add(at);
+        if (before || !edge.is_sure || bend.may_be_none()) return;
         verdict.visible_px += length;
         if (!is_found.holds(at)) {
             verdict.missed_px += length;

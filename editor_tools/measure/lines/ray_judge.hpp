@@ -24,7 +24,8 @@ struct RayVerdict {
     double missed_px = 0.0;      ///< Of that, without a found line within the reach.
     double thinned_px = 0.0;     ///< Of that, found, but without a drawn line within the reach: left out by the style.
     double found_px = 0.0;       ///< Of the found lines, without those where objects go through each other.
-    double extra_px = 0.0;       ///< Of that, without an edge within the reach that rays reach or nearly reach.
+    double extra_px = 0.0;       ///< Of that, without an edge within the reach that rays reach or nearly reach, and
+                                 ///< across which what is seen is not surely one plane.
     double unjudged_px = 0.0;    ///< Where objects go through each other.
     std::uint64_t rays = 0;
 
