@@ -19,12 +19,29 @@ std::uint32_t node_count(std::uint32_t boxes)
     return boxes <= kLeaf ? 1 : 1 + node_count(boxes / 2) + node_count(boxes - boxes / 2);
 }
 
+std::vector<std::uint32_t> all_of(const std::vector<Box>& boxes)
+{
+    std::vector<std::uint32_t> all(boxes.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
 }  // namespace
 
-FaceTree::FaceTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size())
+FaceTree::FaceTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(all_of(boxes_))
 {
-    std::iota(order_.begin(), order_.end(), 0u);
-    const auto count = static_cast<std::uint32_t>(boxes_.size());
+    grow();
+}
+
+FaceTree::FaceTree(std::vector<Box> boxes, std::vector<std::uint32_t> some)
+    : boxes_(std::move(boxes)), order_(std::move(some))
+{
+    grow();
+}
+
+void FaceTree::grow()
+{
+    const auto count = static_cast<std::uint32_t>(order_.size());
     if (count == 0) return;
     nodes_.resize(node_count(count));
     build(0, 0, count);
@@ -53,7 +70,7 @@ void FaceTree::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end)
 
 void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found, std::size_t most) const
 {
-    const std::size_t enough = found.size() + std::min(most, boxes_.size());
+    const std::size_t enough = found.size() + std::min(most, order_.size());
     std::array<std::uint32_t, kMostOpen> open;
     std::size_t count = 0;
     if (!nodes_.empty()) open[count++] = 0;

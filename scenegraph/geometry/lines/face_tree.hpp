@@ -14,6 +14,9 @@ class FaceTree {
  public:
     explicit FaceTree(std::vector<Box> boxes);
 
+    /// Finds `some` of the boxes only.
+    FaceTree(std::vector<Box> boxes, std::vector<std::uint32_t> some);
+
     const std::vector<Box>& boxes() const { return boxes_; }
 
     /// Appends the numbers of the boxes that meet `box`, in no order; about `most` where there are more.
@@ -26,6 +29,7 @@ class FaceTree {
         std::uint32_t begin, end;  ///< Of `order_`.
         std::uint32_t second;      ///< The second child; the first comes next. 0: a leaf.
     };
+    void grow();
     void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
     std::vector<Box> boxes_;

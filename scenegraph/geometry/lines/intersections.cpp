@@ -39,25 +39,27 @@ struct Placed {
     const Surface* surface = nullptr;
     std::vector<glm::dvec3> positions;
     std::vector<Box> boxes;         ///< Of the faces, until the tree has them.
-    std::optional<FaceTree> faces;  ///< Where it meets another object or itself.
+    std::optional<FaceTree> faces;  ///< Those that may meet another object, or another component of this one.
     Box box;
-    std::vector<bool> does_meet_component;  ///< For each component, whether its box meets that of another.
+    std::vector<char> does_meet_component;  ///< For each face, whether its box meets that of another component.
 };
 
-void find_meeting_components(Placed& object)
+std::vector<char> faces_that_meet_components(const Placed& object)
 {
     const Surface& surface = *object.surface;
+    std::vector<char> result(object.boxes.size(), 0);
+    if (surface.components.size() < 2) return result;
     std::vector<Box> boxes(surface.components.size());
     for (std::size_t face = 0; face < object.boxes.size(); ++face)
         boxes[surface.face_component[face]].add(object.boxes[face]);
-    object.does_meet_component.assign(boxes.size(), false);
-    const FaceTree tree(boxes);
+    const FaceTree components(std::move(boxes));
     std::vector<std::uint32_t> found;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t face = 0; face < object.boxes.size(); ++face) {
         found.clear();
-        tree.find(boxes[i], found, 2);
-        object.does_meet_component[i] = found.size() > 1;  // one is itself
+        components.find(object.boxes[face], found, 2);
+        result[face] = found.size() > 1;  // one is its own
     }
+    return result;
 }
 
 Placed placed(const LineObject& object)
@@ -72,7 +74,7 @@ Placed placed(const LineObject& object)
         result.box.add(box.min);
         result.box.add(box.max);
     }
-    find_meeting_components(result);
+    result.does_meet_component = faces_that_meet_components(result);
     return result;
 }
 
@@ -130,17 +132,15 @@ class PairCuts {
  private:
     bool is_alone() const { return objects_[0] == objects_[1]; }
     std::uint32_t component(std::uint32_t face) const { return objects_[0]->surface->face_component[face]; }
-    bool is_real(int side, std::uint32_t face) const { return objects_[side]->surface->face_triangle[face] != kNoFace; }
     const Box& box(int side, std::uint32_t face) const { return objects_[side]->faces->boxes()[face]; }
 
-    /// The faces of one side that may meet the other: of an object alone those of components that come near another.
+    /// The faces of one side that may meet the other: of an object alone those that come near another component.
     std::vector<std::uint32_t> near_faces(int side) const
     {
         std::vector<std::uint32_t> near;
         objects_[side]->faces->find(objects_[1 - side]->box, near);
-        std::erase_if(near, [&](std::uint32_t face) {
-            return !is_real(side, face) || (is_alone() && !objects_[0]->does_meet_component[component(face)]);
-        });
+        if (is_alone())
+            std::erase_if(near, [&](std::uint32_t face) { return !objects_[0]->does_meet_component[face]; });
         std::sort(near.begin(), near.end());
         return near;
     }
@@ -156,7 +156,7 @@ class PairCuts {
             objects_[1 - side]->faces->find(box(side, face), met, most_work_);
             std::uint64_t work = kWorkOfFace + met.size();
             for (const std::uint32_t other : met) {
-                if (!is_real(1 - side, other) || (is_alone() && component(face) >= component(other))) continue;
+                if (is_alone() && component(face) >= component(other)) continue;
                 const auto cut = side == 0 ? cut_of(face, other) : cut_of(other, face);
                 work += kWorkOfTest + (cut ? kWorkOfCut : 0);
                 if (cut) cuts.push_back(*cut);
@@ -367,13 +367,35 @@ std::vector<Pair> meeting_pairs(std::span<const LineObject> objects, const std::
     return pairs;
 }
 
+/// The faces that triangles of the model are, and whose boxes meet one of `others` or another component.
+std::vector<std::uint32_t> faces_that_may_meet(const Placed& object, std::vector<Box> others)
+{
+    const FaceTree tree(std::move(others));
+    std::vector<std::uint32_t> result, found;
+    for (std::uint32_t face = 0; face < object.boxes.size(); ++face) {
+        if (object.surface->face_triangle[face] == kNoFace) continue;
+        found.clear();
+        if (!object.does_meet_component[face]) tree.find(object.boxes[face], found, 1);
+        if (object.does_meet_component[face] || !found.empty()) result.push_back(face);
+    }
+    return result;
+}
+
 /// Gives trees to the objects of the pairs.
 void grow_trees(std::vector<Placed>& world, std::span<const Pair> pairs)
 {
     std::vector<char> is_wanted(world.size(), 0);
-    for (const auto& [a, b] : pairs) is_wanted[a] = is_wanted[b] = 1;
+    std::vector<std::vector<Box>> others(world.size());
+    for (const auto& [a, b] : pairs) {
+        is_wanted[a] = is_wanted[b] = 1;
+        if (a == b) continue;
+        others[a].push_back(world[b].box);
+        others[b].push_back(world[a].box);
+    }
     tbb::parallel_for(std::size_t{0}, world.size(), [&](std::size_t i) {
-        if (is_wanted[i]) world[i].faces.emplace(std::move(world[i].boxes));
+        if (!is_wanted[i]) return;
+        std::vector<std::uint32_t> faces = faces_that_may_meet(world[i], std::move(others[i]));
+        world[i].faces.emplace(std::move(world[i].boxes), std::move(faces));
     });
 }
 
