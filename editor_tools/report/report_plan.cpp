@@ -326,17 +326,16 @@ ReportSection scale_section()
         .judge = "The same frame without the PVS, for pixels; times have no judge.",
         .leaves_out =
             "Styles other than photoreal, and the memory of a walker. What a frame draws differs between sizes "
-            "(column frame_triangles). The memory is what the process grows by from before the level is opened to "
-            "after "
-            "its frames; what a small level made the driver keep, and what smaller ones left, is no part of it. The "
-            "compiler's budgets cap "
+            "(column frame_triangles). The memory is what is allocated with the level open and drawn, more than before "
+            "it was opened; targets and what the software renderer keeps for a frame are in it and do not grow with "
+            "the level, so it has no slope. The compiler's budgets cap "
             "clusters and the work on openings (column shortfalls: how many ran out), so the time flattens where more "
             "is drawn than need be.",
         .says =
             "Rooms on a grid, from 64 to 500 of them, 10 objects each: what grows with the level, and a frame from "
             "the first room. The pixels that differ from a frame drawn without the PVS must be none.",
         .arguments = {"scale"},
-        .plots = {plot("Compile time", "compile_s", "seconds"), plot("Memory", "resident_mib", "MiB"),
+        .plots = {plot("Compile time", "compile_s", "seconds"), plot("Memory", "heap_mib", "MiB"),
                   plot("A frame from the first room", "frame_ms", "median ms")}};
 }
 

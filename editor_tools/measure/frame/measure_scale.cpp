@@ -60,7 +60,7 @@ struct Row {
     double open_s = 0.0;        ///< First time: import, compile, upload.
     double compile_s = 0.0;     ///< Of it, the visibility alone.
     double open_again_s = 0.0;  ///< With the compiled level at hand.
-    double resident_mib = 0.0;  ///< What the process grew by.
+    double heap_mib = 0.0;      ///< Allocated and not freed with the level open and drawn, more than before.
     int clusters = 0;
     std::uint64_t shortfalls = 0;  ///< Budgets of the compiler that ran out.
     double frame_ms = 0.0;         ///< Medians.
@@ -75,12 +75,11 @@ double seconds_since(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double resident_mib()
+/// Allocated and not freed: pages that the allocator keeps for later are no level's.
+double heap_mib()
 {
-    std::ifstream file("/proc/self/statm");
-    double pages = 0.0, resident = 0.0;
-    file >> pages >> resident;
-    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+    const struct mallinfo2 heap = ::mallinfo2();
+    return static_cast<double>(heap.uordblks + heap.hblkhd) / (1024.0 * 1024.0);
 }
 
 double median(std::vector<double> values)
@@ -127,8 +126,7 @@ Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::p
     const fs::path file = folder / fmt::format("rooms_{}.glb", rooms);
     Row row;
     row.level = measure::write_scale_level(file, rooms);
-    ::malloc_trim(0);  // what was freed before is given back, and so is no part of what this level takes
-    const double before_mib = resident_mib();
+    const double before_mib = heap_mib();
     const StageOptions options{
         .file = file, .style_overrides = {"*=" + arguments.style}, .cache = CompiledCache{folder}};
     {
@@ -144,8 +142,7 @@ Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::p
     Stage stage(context, options);
     row.open_again_s = seconds_since(start);
     draw_frames(stage, arguments, parse_size(arguments.size), row);
-    ::malloc_trim(0);
-    row.resident_mib = resident_mib() - before_mib;
+    row.heap_mib = heap_mib() - before_mib;
     return row;
 }
 
@@ -154,7 +151,7 @@ JsonValue row_json(const Row& row)
     JsonValue json = JsonValue::object();
     json.set("rooms", row.level.rooms).set("objects", row.level.objects).set("triangles", row.level.triangles);
     json.set("open_s", row.open_s).set("compile_s", row.compile_s).set("open_again_s", row.open_again_s);
-    json.set("resident_mib", row.resident_mib).set("visible_share", row.visible_share);
+    json.set("heap_mib", row.heap_mib).set("visible_share", row.visible_share);
     json.set("clusters", row.clusters).set("shortfalls", row.shortfalls);
     json.set("frame_ms", row.frame_ms).set("visibility_ms", row.visibility_ms);
     json.set("frame_triangles", row.frame_triangles).set("pixels_unlike_without_pvs", row.differing_share);
@@ -168,7 +165,7 @@ std::string row_text(const Row& row)
         "{:.0f} MiB; frame {:.2f} ms (visibility {:.2f}), {} triangles; {:.4f} % of pixels unlike "
         "without PVS\n",
         row.level.rooms, row.level.objects, row.level.triangles, row.open_s, row.compile_s, row.open_again_s,
-        row.resident_mib, row.frame_ms, row.visibility_ms, row.frame_triangles, 100.0 * row.differing_share);
+        row.heap_mib, row.frame_ms, row.visibility_ms, row.frame_triangles, 100.0 * row.differing_share);
 }
 
 void measure_scale(const ScaleArguments& arguments)
@@ -195,16 +192,13 @@ void measure_scale(const ScaleArguments& arguments)
         json_rows.push(row_json(rows.back()));
     }
     const double compile = slope(rows, &Row::compile_s);
-    const double memory = slope(rows, &Row::resident_mib);
     const double frame = slope(rows, &Row::frame_ms);
-    print_line(
-        fmt::format("slopes against triangles: compile {:.2f}, memory {:.2f}, frame {:.2f}", compile, memory, frame));
+    print_line(fmt::format("slopes against triangles: compile {:.2f}, frame {:.2f}", compile, frame));
     arguments.result.write(JsonValue::object()
                                .set("measure", "scale")
                                .set("device", context->device().renderer)
                                .set("size", arguments.size)
                                .set("compile_slope", compile)
-                               .set("memory_slope", memory)
                                .set("frame_slope", frame)
                                .set("rows", std::move(json_rows)));
 }
