@@ -1,7 +1,6 @@
 #include "hatchway/render/opaque_faces.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 namespace hw {
 namespace {
@@ -56,9 +55,10 @@ VisibleSet ask_what_is_seen(const Frame& frame)
     const VisibleSet pieces = in_pieces(frame.view.visible, kAskedTriangles);
     std::vector<std::uint8_t> is_asked(pieces.objects.size(), 0);
     const PipelineState at_equal_depth{.depth_test = DepthTest::equal, .writes_depth = false, .takes_once = true};
-    for (const FaceCall& call : std::views::reverse(frame.results.opaque_faces)) {
-        if (!has_plain_depth(frame, call)) continue;
-        std::vector<SurfaceItem> items = surface_items_of(frame, call, pieces);
+    const std::vector<FaceCall>& calls = frame.results.opaque_faces;
+    for (auto call = calls.rbegin(); call != calls.rend(); ++call) {
+        if (!has_plain_depth(frame, *call)) continue;
+        std::vector<SurfaceItem> items = surface_items_of(frame, *call, pieces);
         std::reverse(items.begin(), items.end());
         const auto asked = [&](const SurfaceItem& item) -> std::uint8_t& {
             return is_asked[FrameItems::slot(*item.item)];
