@@ -19,6 +19,7 @@ void add_measure_command(CommandLine app)
     add_measure_pvs(measure);
     add_measure_scale(measure);
     add_measure_silhouettes(measure);
+    add_measure_visibility(measure);
     add_measure_visible_lines(measure);
     add_measure_walk(measure);
 }

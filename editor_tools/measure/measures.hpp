@@ -18,6 +18,7 @@ void add_measure_portals(CommandLine measure);
 void add_measure_pvs(CommandLine measure);
 void add_measure_scale(CommandLine measure);
 void add_measure_silhouettes(CommandLine measure);
+void add_measure_visibility(CommandLine measure);
 void add_measure_visible_lines(CommandLine measure);
 void add_measure_walk(CommandLine measure);
 

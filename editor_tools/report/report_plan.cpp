@@ -161,7 +161,8 @@ ReportSection pvs_section(const std::vector<std::string>& scenes)
             "Rays by Embree, 64 from a place: half evenly over the sphere, half at hidden triangles. Each claim of "
             "a hidden chunk that is seen is confirmed with rational numbers. Rooms with slits: by construction.",
         .leaves_out =
-            "Where people stand: averages go over cells, and nobody is in most of them. A chunk counts as seen "
+            "Where people stand, which the next section tells: averages go over cells, and nobody is in most of "
+            "them. A chunk counts as seen "
             "when one of its triangles is hit, which makes the over-estimate look smaller. It is told of cells that "
             "got 2,000 rays (sampled_clusters), where those are 30 and hide something.",
         .says =
@@ -175,6 +176,34 @@ ReportSection pvs_section(const std::vector<std::string>& scenes)
                    .y_column = "over_estimate",
                    .y_label = "visible / visible by sampling",
                    .series_columns = {"file", "effort"}}}};
+}
+
+ReportSection visibility_section(const std::string& hall, const fs::path& data)
+{
+    std::vector<std::string> arguments{"visibility", hall};
+    if (!data.empty())
+        for (const char* name : {"scenes/dungeon_kaykit_9x7.glb", "scenes/city_kaykit_9x9.glb", "scenes/oa_oa_dm1.glb"})
+            arguments.push_back((data / name).string());
+    return {.name = "visibility",
+            .title = "Visibility where people stand",
+            .judge =
+                "A ray by Embree through every quarter of a pixel; a chunk that is seen and hidden is confirmed with "
+                "rational numbers. Pixels: the same frame without the PVS.",
+            .leaves_out =
+                "What is seen in less than a quarter of a pixel, so a little more is needed than the column says. Eyes "
+                "that look up or down. The frames are of one style and of a software renderer; compiling is no part "
+                "of them.",
+            .says =
+                "Eyes at places that a walker reaches on foot from the level's start and cameras, drawn at random. "
+                "Triangles of the chunks in the frustum (in_view), what the PVS leaves of them (drawn), and what "
+                "pieces of 64 triangles take of which a ray meets one (needed). Nothing may be lost.",
+            .arguments = joined(std::move(arguments), {"--size", "480x300"}),
+            .plots = {{.title = "A frame with the PVS against what it leaves",
+                       .x_column = "frame_ms",
+                       .x_label = "median ms",
+                       .y_column = "drawn_share",
+                       .y_label = "drawn / in view",
+                       .series_columns = {"file"}}}};
 }
 
 ReportSection lines_section(const std::string& prism, const std::string& hall, const fs::path& data)
@@ -358,6 +387,7 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
                                     frame_section(hall),
                                     bsp_section(scenes),
                                     pvs_section(scenes),
+                                    visibility_section(hall, data),
                                     lightmap_section(),
                                     lines_section(prism, hall, data),
                                     visible_lines_section(prism, hall, data),
@@ -366,7 +396,7 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
                                     ink_section(content / "maps" / "ink"),
                                     walk_section(hall, data),
                                     scale_section()};
-    if (!data.empty()) plan.insert(plan.begin() + 7, portals_section(data));
+    if (!data.empty()) plan.insert(plan.begin() + 8, portals_section(data));
     return plan;
 }
 

@@ -162,7 +162,7 @@ TEST(report_program, where_documents_tell_what_was_measured_every_number_is_fill
         {"light.md", "512 8 8 8 8 4 8 4"},
         {"silhouettes.md", "64 16 10,000 90 100 100"},
         {"strangers_files.md", "64"},
-        {"visibility.md", "64 2,000 1 0.001"},
+        {"visibility.md", "64 64 1 0.001"},
         {"visible_lines.md", "1400 900 1.5"},
         {"walking.md", "1 100 16 0.1"},
     };

@@ -14,6 +14,7 @@
 #include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/walk/walk_fuzz.hpp"
+#include "measure/walk/walk_places.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
 #include "program/output_files.hpp"
@@ -23,39 +24,12 @@ namespace {
 
 using measure::WalkCounts;
 
-constexpr std::size_t kPlaces = 32;  // that the oracle chooses, beside the level's own
-constexpr std::uint32_t kPlaceSeed = 1;
-
 struct WalkMeasureArguments {
     std::vector<std::filesystem::path> files;
     std::uint64_t inputs = measure::WalkFuzzOptions{}.inputs;
     std::uint32_t threads = 0;
     MeasureResult result;
 };
-
-/// The level's start, cameras and path keys, then places all over the scene: those where a walker stands.
-std::vector<PlayerState> starts_in(const Level& level, const Scene& scene, const PlayerBody& body,
-                                   const measure::WalkOracle& oracle, const CollisionWorld& world)
-{
-    std::vector<Camera> cameras;
-    const auto add = [&](const glm::dvec3& eye, const glm::dvec3& target) {
-        cameras.push_back({.eye_world = eye, .target_world = target});
-    };
-    if (level.start) add(level.start->position, level.start->look_at);
-    cameras.insert(cameras.end(), level.cameras.begin(), level.cameras.end());
-    cameras.insert(cameras.end(), scene.cameras.begin(), scene.cameras.end());
-    for (const CameraPath& path : level.paths)
-        for (const PathKey& key : path.keys) add(key.position, key.look_at);
-    const measure::JudgedBody judged{body.gait.capsule.radius_m, body.gait.capsule.height_m, body.gait.step_m};
-    for (const glm::dvec3& foot : oracle.standing_places(judged, kPlaces, kPlaceSeed)) {
-        const glm::dvec3 eye = foot + glm::dvec3(0.0, body.eye_m, 0.0);
-        add(eye, eye + glm::dvec3(0.0, 0.0, -1.0));
-    }
-    std::vector<PlayerState> starts;
-    for (const Camera& camera : cameras)
-        if (const PlayerState state = placed_at(camera, body, world); state.is_carried) starts.push_back(state);
-    return starts;
-}
 
 JsonValue json_of(const std::string& file, std::size_t starts, double seconds, const WalkCounts& counts)
 {
@@ -87,7 +61,8 @@ JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArgum
     const CollisionWorld world = build_collision_world(scene, looks);
     const measure::WalkOracle oracle(scene, looks);
     const PlayerBody body = body_for(scene.bounds_world, is_level_file(level.file));
-    const std::vector<PlayerState> starts = starts_in(level, scene, body, oracle, world);
+    std::vector<PlayerState> starts = measure::named_places(level, scene, body, world);
+    for (const PlayerState& place : measure::scattered_places(oracle, body, world)) starts.push_back(place);
     if (starts.empty()) throw Error({.what = "no place to stand on was found", .file = file.string()});
     const measure::Walker walker = [&](const PlayerState& state, const PlayerInput& input, double seconds) {
         return step(state, input, body, world, seconds);
