@@ -113,11 +113,11 @@ class PenAndInk final : public hw::Style {
         visitor.real({"line_wobble_px", "How far lines stray sideways, as by hand; 0 rules them."}, stroke_.wobble_px,
                      0.0f, 12.0f);
         visitor.real({"line_bend_px", "From one bend of a line to the next, about."}, stroke_.bend_px, 4.0f, 500.0f);
-        visitor.real({"line_overshoot_px", "How far lines run on beyond corners, silhouettes apart."},
+        visitor.real({"line_overshoot_px", "How far lines run on beyond corners, smooth silhouettes apart."},
                      stroke_.overshoot_px, 0.0f, 40.0f);
-        visitor.real({"line_taper_px", "Length over which lines grow thin to their ends, silhouettes apart."},
+        visitor.real({"line_taper_px", "Length over which lines grow thin to their ends, smooth silhouettes apart."},
                      stroke_.taper_px, 0.0f, 200.0f);
-        visitor.real({"line_dash_px", "A dash and its gap, silhouettes apart; 0 draws unbroken lines."},
+        visitor.real({"line_dash_px", "A dash and its gap, smooth silhouettes apart; 0 draws unbroken lines."},
                      stroke_.dash_px, 0.0f, 200.0f);
         visitor.real({"line_dash_share", "Of the dash in that."}, stroke_.dash_share, 0.05f, 1.0f);
         visitor.real({"depth_taper", "1 thins lines with distance, 0 keeps their width."}, depth_taper_, 0.0f, 1.0f);

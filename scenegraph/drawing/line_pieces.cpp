@@ -49,7 +49,7 @@ struct LinePieces::Segment {
     const PennedObject& object;
     const StrokeShape& shape;
     const ImageSpace& space;
-    const ObjectLine* line;  ///< Null: a silhouette.
+    const ObjectLine* line;  ///< Null: a silhouette that is another edge in every view.
     ImagePoint from{0.0};
     ImagePoint to{0.0};
 
@@ -116,7 +116,7 @@ double LinePieces::width_at(const Segment& segment, const ImagePoint& point) con
         }
     }
     double width = line_width_px(segment.pen.look, segment.pen.crease_rad, place) * segment.pen.presence(place_world.y);
-    if (line != nullptr && segment.is_by_hand())
+    if (segment.line != nullptr && segment.is_by_hand())
         width *= segment.shape.taper(line->stroke, segment.arc_at(point), segment.px_per_unit(point));
     return width;
 }
@@ -269,13 +269,12 @@ std::vector<VectorLine> LinePieces::of(const VisibleLine& line, const ObjectLine
     };
     std::vector<Stretch> stretches;
     for (std::size_t i = 0; i < line.sources.size(); ++i) {
-        const bool is_silhouette = line.line_class == LineClass::silhouette;
         const Segment segment{.line_class = line.line_class,
                               .pen = pen,
                               .object = object,
                               .shape = shape,
                               .space = space_,
-                              .line = is_silhouette ? nullptr : object.lines.find(line.sources[i]),
+                              .line = object.lines.find(line.sources[i]),
                               .from = point(i),
                               .to = point(i + 1)};
         const std::size_t first = stretches.size();

@@ -1,6 +1,7 @@
 #include "hatchway/drawing/line_width.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -29,7 +30,8 @@ double far_share(const FarPolicy& far, const PenPlace& place)
 
 float insideness(const glm::vec3& normal_a, const glm::vec3& normal_b, const glm::vec3& to_eye)
 {
-    const float facing = std::min(glm::dot(normal_a, to_eye), glm::dot(normal_b, to_eye));
+    const float a = glm::dot(normal_a, to_eye), b = glm::dot(normal_b, to_eye);
+    const float facing = a * b > 0.0f ? std::min(std::abs(a), std::abs(b)) : 0.0f;
     const float t = std::clamp(facing / std::max(glm::length(to_eye), 1e-20f) / kInsideFrom, 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }

@@ -19,8 +19,9 @@ struct PenPlace {
     float inside = 0.0f;       ///< insideness()
 };
 
-/// 1 where both faces beside a line look at the eye: it is drawn inside of the object. 0 where it is an outline now, or
-/// faces are not known (their normals are zero). A line that turns from the one to the other does so over some degrees.
+/// 1 where both faces beside a line show the same side: it is drawn inside of the object. 0 where it is an outline now,
+/// or faces are not known (their normals are zero). A line that turns from the one to the other does so over some
+/// degrees.
 /// `to_eye`: from the line, any length.
 float insideness(const glm::vec3& normal_a, const glm::vec3& normal_b, const glm::vec3& to_eye);
 

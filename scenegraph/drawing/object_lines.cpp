@@ -14,7 +14,7 @@ namespace {
 class LineCollector {
  public:
     explicit LineCollector(const ObjectEdges& edges)
-        : surface_(edges.surface), seams_(edges.extras.seams), has_sides_(edges.is_culled)
+        : surface_(edges.surface), seams_(edges.extras.seams), is_culled_(edges.is_culled)
     {
     }
 
@@ -60,27 +60,27 @@ class LineCollector {
         const auto& corners = surface_.faces[plane];
         const glm::vec3& p = surface_.positions[corners[0]];
         const glm::vec3 area = glm::cross(surface_.positions[corners[1]] - p, surface_.positions[corners[2]] - p);
-        const float size = glm::length(area);
-        return size > 0.0f ? area / size : glm::vec3(0.0f);
+        const float size = face < surface_.faces.size() ? glm::length(area) : -glm::length(area);  // twins look back
+        return size != 0.0f ? area / size : glm::vec3(0.0f);
     }
-    /// None beside faces that are seen from both sides. None for complex edges: they have more.
+    bool is_culled(std::uint32_t face) const
+    {
+        return is_culled_ && face < surface_.faces.size() && !surface_.is_two_sided(face);
+    }
+    /// None for complex edges: they have more.
     LineSides sides_of(std::uint32_t id) const
     {
-        const auto faces = surface_.edges[id].faces();
-        const bool is_border = id < surface_.edges.two_faced().begin;
-        if (!has_sides_ || faces[0] >= surface_.faces.size()) return {};
-        if (surface_.is_two_sided(faces[0])) return {};
-        const LineSides alone{normal_of(faces[0]), normal_of(faces[0])};
-        if (faces[1] == kNoFace) return alone;
-        if (is_border || faces[1] >= surface_.faces.size() || surface_.is_two_sided(faces[1])) return {};
-        const LineSides both{alone.normal_a, normal_of(faces[1])};
+        const auto [a, b] = surface_.edges[id].faces();
+        if (b == kNoFace) return {normal_of(a), normal_of(a), is_culled(a)};
+        if (id < surface_.edges.two_faced().begin) return {};
+        const LineSides both{normal_of(a), normal_of(b), is_culled(a) && is_culled(b)};
         const bool has_both = both.normal_a != glm::vec3(0.0f) && both.normal_b != glm::vec3(0.0f);
         return has_both ? both : LineSides{};
     }
 
     const Surface& surface_;
     const Seams& seams_;
-    bool has_sides_;
+    bool is_culled_;
 };
 
 void set_strokes(std::vector<ObjectLine>& lines)

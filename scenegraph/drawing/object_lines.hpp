@@ -16,9 +16,11 @@ namespace hw {
 
 /// The faces beside a line.
 struct LineSides {
-    /// Unit normals, equal at a border: a line whose faces are all culled is not drawn. Zero: drawn whatever they do.
+    /// Unit normals, equal at a border; zero: not known, or more than two faces. Where they disagree about the eye the
+    /// line is a silhouette.
     glm::vec3 normal_a{0.0f};
     glm::vec3 normal_b{0.0f};
+    bool are_culled = false;  ///< The line is not drawn where both look away.
 };
 
 /// A line that is drawn from every viewpoint where it is not hidden. Object space.

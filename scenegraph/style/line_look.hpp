@@ -21,8 +21,8 @@ struct FarPolicy {
 
 /// How a hand departs from a ruler; all zero: ruled lines. Lengths are logical pixels. Creases, borders, artist's edges
 /// and intersections go by the length along the stroke on the object and a seed of the place where it begins;
-/// silhouettes by noise in the object's space, and they are never dashed, tapered or overshot: nothing boils when the
-/// eye moves.
+/// smooth silhouettes by noise in the object's space, and they are never dashed, tapered or overshot: nothing boils
+/// when the eye moves.
 struct StrokeCharacter {
     float wobble_px = 0.0f;     ///< How far a stroke strays sideways.
     float bend_px = 40.0f;      ///< From one bend to the next, about.

@@ -135,7 +135,7 @@ TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
         {"hatching.md", {"6 %"}},                    // the largest step of that definition, by its formula
         {"level_files.md", {"2 GiB", "16 MiB"}},     // limits
         {"light.md", {"8 times"}},                   // samples of the reference
-        {"strangers_files.md", {"2 GB", "64 KiB"}},  // limits of the fuzzers
+        {"strangers_files.md", {"2 GB", "64 KiB", "600 s"}},  // limits of the fuzzers
         {"walking.md", {"120 s", "100 ms"}},         // ticks, and the longest frame of the random walks
     };
     std::vector<fs::path> pages{kDocs.parent_path() / "README.md"};
@@ -161,7 +161,7 @@ TEST(report_program, where_documents_tell_what_was_measured_every_number_is_fill
         {"hatching.md", "3 1 1.5 6 99 5 80 200 1 17 17 95 1280 720 1 4 0 100 1 0 1 4"},
         {"light.md", "512 8 8 8 8 4 8 4"},
         {"silhouettes.md", "64 16 10,000 90 100 100"},
-        {"strangers_files.md", "64"},
+        {"strangers_files.md", "64 600 30"},
         {"visibility.md", "64 64 1 0.001"},
         {"visible_lines.md", "1400 900 1.5"},
         {"walking.md", "1 100 16 0.1"},

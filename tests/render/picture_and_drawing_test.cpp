@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 
 #include "hatchway/drawing/level_lines.hpp"
 #include "hatchway/io/gltf/import.hpp"
@@ -22,35 +23,64 @@ constexpr double kFound = 0.995;  // share of the ink of each that the other has
 constexpr double kApart = 0.02;
 constexpr double kCrowdedApart = 0.12;
 
-/// Inks a piece of a line with round ends.
-void ink_segment(InkImage& image, const glm::dvec2& a, const glm::dvec2& b, double width_px)
-{
-    const double drawn = std::max(0.5 * width_px, 0.5), reach = drawn + 1.0;
-    const glm::ivec2 low = glm::max(glm::ivec2(glm::floor(glm::min(a, b) - reach)), glm::ivec2(0));
-    const glm::ivec2 high =
-        glm::min(glm::ivec2(glm::ceil(glm::max(a, b) + reach)), glm::ivec2(image.width - 1, image.height - 1));
-    const glm::dvec2 way = b - a;
-    for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) {
-            const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) - a;
-            const double t = std::clamp(glm::dot(p, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
-            const double cover =
-                std::clamp(0.5 + drawn - glm::distance(p, t * way), 0.0, 1.0) * std::min(width_px, 1.0);
-            image.at(x, y) = std::max(image.at(x, y), static_cast<float>(cover));
-        }
-}
+/// Inks pieces of lines with round ends. What is inked before lay_down() goes on into each other; after it, more ink
+/// lies on it.
+class InkPen {
+ public:
+    explicit InkPen(InkImage& image) : image_(image), own_(image.ink.size(), 0.0f) {}
 
+    void add(const glm::dvec2& a, const glm::dvec2& b, double width_px)
+    {
+        const double drawn = std::max(0.5 * width_px, 0.5), reach = drawn + 1.0;
+        const glm::ivec2 low = glm::max(glm::ivec2(glm::floor(glm::min(a, b) - reach)), glm::ivec2(0));
+        const glm::ivec2 high =
+            glm::min(glm::ivec2(glm::ceil(glm::max(a, b) + reach)), glm::ivec2(image_.width - 1, image_.height - 1));
+        const glm::dvec2 way = b - a;
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) - a;
+                const double t = std::clamp(glm::dot(p, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
+                const double cover =
+                    std::clamp(0.5 + drawn - glm::distance(p, t * way), 0.0, 1.0) * std::min(width_px, 1.0);
+                const std::size_t pixel = static_cast<std::size_t>(y) * image_.width + x;
+                if (own_[pixel] == 0.0f && cover > 0.0) inked_.push_back(pixel);
+                own_[pixel] = std::max(own_[pixel], static_cast<float>(cover));
+            }
+    }
+    void lay_down()
+    {
+        for (const std::size_t pixel : inked_)
+            image_.ink[pixel] = 1.0f - (1.0f - image_.ink[pixel]) * (1.0f - std::exchange(own_[pixel], 0.0f));
+        inked_.clear();
+    }
+
+ private:
+    InkImage& image_;
+    std::vector<float> own_;
+    std::vector<std::size_t> inked_;
+};
+
+/// The looks of one object lie on each other: there its classes of lines begin again.
 InkImage rasterised(const VectorDrawing& drawing)
 {
     const glm::ivec2 size = drawing.size_px;
     InkImage image{size.x, size.y, std::vector<float>(static_cast<std::size_t>(size.x) * size.y, 0.0f)};
-    for (const VectorObject& object : drawing.objects)
-        for (const VectorGroup& group : object.groups)
+    InkPen pen(image);
+    for (const VectorObject& object : drawing.objects) {
+        std::set<std::string> inked_types;
+        for (const VectorGroup& group : object.groups) {
+            if (!inked_types.insert(group.line_type).second) {
+                pen.lay_down();
+                inked_types = {group.line_type};
+            }
             for (const VectorLine& line : group.lines) {
                 const std::size_t count = line.points_px.size();
                 for (std::size_t i = 0; i + (line.is_closed ? 0 : 1) < count; ++i)
-                    ink_segment(image, line.points_px[i], line.points_px[(i + 1) % count], line.width_px);
+                    pen.add(line.points_px[i], line.points_px[(i + 1) % count], line.width_px);
             }
+        }
+    }
+    pen.lay_down();
     return image;
 }
 
@@ -261,8 +291,8 @@ TEST_F(picture_and_drawing, of_the_hall_in_parallel_projection_have_the_same_ink
     expect_alike_as_loaded("hall_parallel", {{0, 1.7, 9.6}, {0, 3, -9}, 60.0, 8.0});
     expect_alike_as_loaded("hall_outside", {{60, 40, 50}, {8, 2, 0}, 60.0, 14.0});
     // Here a pixel is 7 cm, and the foot of each gable stands 2 cm behind the front of its wall: nearer than the
-    // polygon offset, which is the picture's limit. It leaks, along 200 px.
-    expect_alike_as_loaded("hall_afar", {{60, 40, 50}, {8, 2, 0}, 60.0, 30.0}, 0.994);
+    // polygon offset, which is the picture's limit. It leaks along 200 px, as wide as an outline.
+    expect_alike_as_loaded("hall_afar", {{60, 40, 50}, {8, 2, 0}, 60.0, 30.0}, 0.991);
 }
 
 }  // namespace hw::test

@@ -5,8 +5,7 @@
 namespace hw {
 namespace {
 
-constexpr double kCreaseWidthPx = 1.2;
-constexpr double kContourWidthPx = 1.9;
+constexpr double kWidthPx = 1.5;  // of all classes, so that GL_LINES can draw them
 
 }  // namespace
 
@@ -22,8 +21,9 @@ std::unique_ptr<Style> line_style(const PluginRegistry& plugins, const std::stri
     set("ink_map_strength", 0.0);
     set("crease_deg", kMeasuredCreaseDeg);
     set("crease_colour", std::string("#000000"));
-    for (const char* name : {"line_width_px", "valley_width_px", "intersection_width_px"}) set(name, kCreaseWidthPx);
-    for (const char* name : {"silhouette_width_px", "border_width_px"}) set(name, kContourWidthPx);
+    for (const char* name :
+         {"line_width_px", "valley_width_px", "intersection_width_px", "silhouette_width_px", "border_width_px"})
+        set(name, kWidthPx);
     return make_style(plugin, params, source);
 }
 

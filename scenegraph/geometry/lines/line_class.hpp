@@ -4,7 +4,8 @@
 
 namespace hw {
 
-/// The kinds of lines a drawing has, each with its own width and colour.
+/// The kinds of lines a drawing has, each with its own width and colour. An edge whose faces disagree about the eye is
+/// a silhouette in that view, however folded; ridges, valleys and artist's edges are so where both faces show one side.
 enum class LineClass : std::uint8_t { silhouette, ridge, valley, border, artist, intersection };
 inline constexpr int kLineClassCount = 6;
 

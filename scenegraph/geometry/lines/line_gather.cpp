@@ -183,8 +183,9 @@ class ObjectGathering {
     void add_lines()
     {
         const Surface& surface = *object_.surface;
-        const auto add_range = [&](EdgeRange range, LineClass line_class) {
-            for (std::uint32_t edge = range.begin; edge < range.end; ++edge) add_line(edge, line_class);
+        const auto add_folded = [&](EdgeRange range, LineClass line_class) {
+            for (std::uint32_t edge = range.begin; edge < range.end; ++edge)
+                add_line(edge, is_silhouette(edge) ? LineClass::silhouette : line_class);
         };
         const float own_rad = set_ == 0 ? object_.crease_rad : object_.more_crease_rad[set_ - 1];
         const float crease_rad = options_.with_creases ? own_rad : kNoCreases;
@@ -194,32 +195,38 @@ class ObjectGathering {
         }
         const EdgeClasses classes = classes_at(surface, crease_rad);
         if (options_.with_creases) {
-            for (const EdgeRange range : classes.ridges) add_range(range, LineClass::ridge);
-            for (const EdgeRange range : classes.valleys) add_range(range, LineClass::valley);
+            for (const EdgeRange range : classes.ridges) add_folded(range, LineClass::ridge);
+            for (const EdgeRange range : classes.valleys) add_folded(range, LineClass::valley);
         }
-        if (options_.with_artist) {
-            for (const EdgeRange range : classes.artist) add_range(range, LineClass::artist);
-        } else {
-            add_marked_silhouettes(classes.artist);
+        for (const EdgeRange range : classes.artist) {
+            for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
+                const bool is_contour = is_silhouette(edge);
+                if (is_contour || options_.with_artist)
+                    add_line(edge, is_contour ? LineClass::silhouette : LineClass::artist);
+            }
         }
-        add_range(classes.borders, LineClass::border);
+        for (std::uint32_t edge = classes.borders.begin; edge < classes.borders.end; ++edge)
+            add_line(edge, LineClass::border);
         add_kept_parts();
     }
 
-    /// The artist's edges are drawn anyway and so are no candidates; a drawing of contours alone needs those that are
-    /// silhouettes now.
-    void add_marked_silhouettes(const std::array<EdgeRange, 2>& artist)
+    /// Strictly; a twin does where its face looks away.
+    bool looks_here(std::uint32_t face) const
     {
-        if (artist[0].size() + artist[1].size() == 0) return;
-        find_facing(*object_.surface, drawn_.eye_object, FacingPrecision::exact, scratch_);
-        for (const EdgeRange range : artist) {
-            for (std::uint32_t edge = range.begin; edge < range.end; ++edge) {
-                const auto [a, b] = object_.surface->edges[edge].faces();
-                if (is_front_facing(scratch_, a) != is_front_facing(scratch_, b)) {
-                    add_line(edge, LineClass::silhouette);
-                }
-            }
-        }
+        const Surface& surface = *object_.surface;
+        const std::uint32_t plane = plane_face(surface, face);
+        if (plane == kNoFace) return false;
+        const auto& [a, b, c] = surface.faces[plane];
+        const int sign =
+            facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], drawn_.eye_object);
+        return face < surface.faces.size() ? sign > 0 : sign < 0;
+    }
+
+    /// What is drawn from everywhere is a silhouette where its faces disagree about the eye, however folded.
+    bool is_silhouette(std::uint32_t edge) const
+    {
+        const auto [a, b] = object_.surface->edges[edge].faces();
+        return looks_here(a) != looks_here(b);
     }
 
     void add_kept_parts()

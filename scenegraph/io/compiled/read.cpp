@@ -74,7 +74,7 @@ class WorldReader {
     void check_alignment() const
     {
         const auto is_aligned = [](const auto* vector) {
-            return reinterpret_cast<std::uintptr_t>(vector->Data()) % alignof(double) == 0;
+            return vector->size() == 0 || reinterpret_cast<std::uintptr_t>(vector->Data()) % alignof(double) == 0;
         };
         require(is_aligned(world_.planes()) && is_aligned(world_.portals()) && is_aligned(world_.portal_corners()) &&
                     is_aligned(world_.cluster_boxes()),

@@ -11,6 +11,7 @@ namespace hw {
 namespace {
 
 constexpr float kWholeFold = 1.5707963f;
+constexpr std::array kFoldedClasses{LineClass::ridge, LineClass::valley, LineClass::artist};  // or silhouettes, by view
 constexpr PipelineState kLineState{
     .depth_test = DepthTest::off, .writes_depth = false, .blending = Blending::over, .culling = Culling::off};
 
@@ -61,7 +62,12 @@ LinePath LineDrawer::path_for(const LineFrame& frame, const LineRun& run) const
     // Quads have the width that is asked for, with any number of samples, and need no state of their own: see
     // `measure lines`. GL_LINES are the way of 2001, for who wants it.
     const bool is_plain = look.depth_taper <= 0.0f && look.stroke.is_ruled() && !run.pen.program.is_valid();
-    if (frame.path != LinePath::native || !is_plain) return LinePath::quads;
+    // A fold is as wide as a silhouette where it is one, and all GL_LINES of a call are equally wide.
+    const auto is_as_wide = [&](LineClass folded) {
+        return width_px(frame.view, look, folded) == width_px(frame.view, look, LineClass::silhouette);
+    };
+    if (frame.path != LinePath::native || !is_plain || !std::ranges::all_of(kFoldedClasses, is_as_wide))
+        return LinePath::quads;
     float widest = 0.0f;
     for (const Pen& pen : look.pens) widest = std::max(widest, pen.width_px * frame.view.px_scale);
     const bool fits = widest <= device_.max_line_width_px && widest + 1.0f <= device_.max_point_size_px;
@@ -185,7 +191,9 @@ std::vector<LineDrawer::Stretch> LineDrawer::stretches_of(const LineMesh& lines,
 {
     std::vector<Stretch> stretches;
     for (const LineMesh::Run& run : lines.runs) {
-        const float width = width_px(frame.view, look, run.line_class);
+        float width = width_px(frame.view, look, run.line_class);
+        if (std::ranges::find(kFoldedClasses, run.line_class) != kFoldedClasses.end())
+            width = std::max(width, width_px(frame.view, look, LineClass::silhouette));
         if (width <= 0.0f) continue;
         const bool continues = !stretches.empty() &&
                                stretches.back().first_line + stretches.back().count == run.first_line &&

@@ -57,14 +57,15 @@ LineBuffer make_line_buffer(const LineIndices& indices)
 void append_line(std::vector<LineVertex>& vertices, const ObjectLine& line)
 {
     const LineStroke& stroke = line.stroke;
-    LineVertex corner{.position = line.ends[0],
-                      .other = line.ends[1],
-                      .line_class = static_cast<float>(line.line_class),
-                      .normal_a = line.sides.normal_a,
-                      .normal_b = line.sides.normal_b,
-                      .stroke = {stroke.from, stroke.to, stroke.length, stroke.seed},
-                      .fold_rad = line.fold_rad,
-                      .crowding = line.crowding[0]};
+    LineVertex corner{
+        .position = line.ends[0],
+        .other = line.ends[1],
+        .line_class = static_cast<float>(static_cast<int>(line.line_class) + (line.sides.are_culled ? 8 : 0)),
+        .normal_a = line.sides.normal_a,
+        .normal_b = line.sides.normal_b,
+        .stroke = {stroke.from, stroke.to, stroke.length, stroke.seed},
+        .fold_rad = line.fold_rad,
+        .crowding = line.crowding[0]};
     vertices.insert(vertices.end(), {corner, corner});
     std::swap(corner.position, corner.other);
     std::swap(corner.stroke.x, corner.stroke.y);

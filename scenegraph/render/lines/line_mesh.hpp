@@ -16,7 +16,7 @@ namespace hw {
 struct LineVertex {
     glm::vec3 position;
     glm::vec3 other;     ///< The other end.
-    float line_class;    ///< LineClass
+    float line_class;    ///< LineClass, 8 more where LineSides::are_culled
     glm::vec3 normal_a;  ///< LineSides
     glm::vec3 normal_b;
     glm::vec4 stroke;  ///< Length along the stroke at this end and at the other, LineStroke's length and seed.

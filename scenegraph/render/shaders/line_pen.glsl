@@ -25,7 +25,7 @@ uniform vec4 hw_line_share;  // of the style's own: see hw_share_at()
 #ifdef HW_STROKE
 flat in int hw_v_line_class;
 flat in highp vec4 hw_v_stroke;  // length along the stroke over w, and 1 over w, at both ends
-flat in highp vec4 hw_v_stroke_whole;  // x length, below zero closed, 0 a silhouette; y seed; zw overshoot at both ends
+flat in highp vec4 hw_v_stroke_whole;  // x length, below zero closed, 0 a smooth silhouette; y seed; zw overshoot at both ends
 flat in highp vec3 hw_v_stroke_from;   // place on the object over w
 flat in highp vec3 hw_v_stroke_to;
 #endif
@@ -38,11 +38,11 @@ struct HwLine {
     float width_px;  // of the line here, device pixels
     float presence;  // of the style here; the width has it already
 #ifdef HW_STROKE
-    float length_px;        // along the stroke, device pixels at this distance; 0 on silhouettes
-    float length_object_m;  // the same on the object, metres: stays where it is when the eye moves; 0 on silhouettes
-    float seed;             // in [0, 1), of the stroke: no two are drawn alike; 0 on silhouettes
+    float length_px;        // along the stroke, device pixels at this distance; 0 where there is none
+    float length_object_m;  // the same on the object, metres: stays where it is when the eye moves
+    float seed;             // in [0, 1), of the stroke: no two are drawn alike; 0 where there is none
     int line_class;         // 0 silhouette, 1 ridge, 2 valley, 3 border, 4 artist's, 5 intersection
-    vec3 position_object;   // silhouettes are other edges in every view: give them noise of this place
+    vec3 position_object;   // smooth silhouettes are other edges in every view, and no strokes: give them noise of this place
 #endif
 };
 
@@ -57,7 +57,9 @@ HwLine hw_line()
     vec2 along = hw_v_line_way.yz;
     vec2 across = vec2(-along.y, along.x);
     vec2 middle = gl_FragCoord.xy - off_middle.x * along - off_middle.y * across;
-    if (hw_is_line_hidden(vec3(middle, hw_v_line_depth.x + hw_v_line_way.w * at), hw_v_line_depth.y * 0.5 * across)) discard;
+    vec2 aside = sign(hw_v_line_depth.y) * 0.5 * across;
+    bool on_both_sides = hw_v_line_depth.y > 1.5;
+    if (hw_is_line_hidden(vec3(middle, hw_v_line_depth.x + hw_v_line_way.w * at), aside, on_both_sides)) discard;
     float half_width = hw_v_line.z;
     float broken = 1.0;
     vec2 ends = vec2(0.0, hw_v_line_way.x);  // of the stroke, along the line

@@ -278,20 +278,27 @@ TEST(visible_lines, the_outline_of_a_sphere_is_one_closed_line)
     EXPECT_NEAR(length_of(lines[0]), 2.0 * 3.141592653589793 * radius, 0.01 * length_of(lines[0]));
 }
 
-TEST(visible_lines, of_a_box_nine_edges_are_visible)
+TEST(visible_lines, of_a_box_nine_edges_are_visible_and_six_of_them_are_its_outline)
 {
     const hw::Surface block = hw::build_surface(box({-1, -1, -1}, {1, 1, 1}));
     const std::vector<hw::LineObject> objects{{&block}};
     const hw::LineCamera corner{.eye_world = {5, 6, 7}, .target_world = {0, 0, 0}, .size_px = {800, 600}};
-    double visible = 0.0, hidden = 0.0;
-    std::size_t segments = 0;
+    int outlines = 0;
+    std::size_t inner = 0, hidden = 0;
     for (const auto& line : hw::find_visible_lines(objects, corner, {.with_hidden = true})) {
+        const std::size_t segments = line.points_px.size() - (line.is_closed ? 0 : 1);
+        if (line.line_class == Class::silhouette) {
+            ++outlines;
+            EXPECT_TRUE(line.is_visible && line.is_closed);
+            EXPECT_EQ(segments, 6u);
+            continue;
+        }
         EXPECT_EQ(line.line_class, Class::ridge);
-        (line.is_visible ? visible : hidden) += length_of(line);
-        if (line.is_visible) segments += line.points_px.size() - (line.is_closed ? 0 : 1);
+        (line.is_visible ? inner : hidden) += segments;
     }
-    EXPECT_EQ(segments, 9u);
-    EXPECT_GT(hidden, 0.2 * visible);
+    EXPECT_EQ(outlines, 1);
+    EXPECT_EQ(inner, 3u);
+    EXPECT_EQ(hidden, 3u);
 }
 
 TEST(visible_lines, do_not_depend_on_the_scale_of_the_world)

@@ -101,6 +101,16 @@ TEST(compiled_level, what_was_made_to_deceive_is_never_a_crash)
     EXPECT_GT(taken, 0) << "signed files get past the hash, so that the checks behind it are what is tested";
 }
 
+TEST(compiled_level, of_a_scene_without_anything_to_see_is_read)
+{
+    hw::Scene scene;
+    std::vector<hw::MeshChunks> chunks;
+    hw::CompiledLevel level{
+        .key = 1, .effort = hw::PvsEffort::full, .visibility = build_visibility(scene, {}, chunks, {})};
+    const std::vector<std::byte> bytes = hw::compiled_level_bytes(level, chunks);
+    EXPECT_EQ(hw::compiled_level_from_bytes(bytes, scene, chunks, "empty").visibility.tree.leaf_count, 1);
+}
+
 // Found by a fuzzer: four bytes further on, the first plane reads as one, but its numbers are of 8 bytes.
 TEST(compiled_level, numbers_that_start_where_none_may_stand_are_refused)
 {
@@ -121,7 +131,7 @@ TEST(compiled_level, numbers_that_start_where_none_may_stand_are_refused)
             refused += std::string_view(error.what()).find("start where none may stand") != std::string_view::npos;
         }
     }
-    EXPECT_GE(refused, 3) << "planes, portals, corners; boxes of clusters end the content and no longer fit";
+    EXPECT_GE(refused, 2) << "planes and corners; of portals the first number is read as their count, 0";
 }
 
 TEST(compiled_level, portals_that_are_written_as_a_portal_file_show_the_same)

@@ -139,6 +139,7 @@ TEST_F(pens, read_what_is_known_of_a_line)
     struct Condition {
         LineClass line_class;
         const char* glsl;
+        glm::dvec3 eye{0, 4, 0.001};
     };
     constexpr Condition kConditions[]{
         {LineClass::border, "l.line_class == 3"},
@@ -155,7 +156,8 @@ TEST_F(pens, read_what_is_known_of_a_line)
         {LineClass::silhouette, "l.line_class == 0"},
         {LineClass::silhouette, "l.length_px == 0.0 && l.length_object_m == 0.0 && l.seed == 0.0"},
         {LineClass::silhouette, "abs(length(l.position_object) - 1.0) < 0.03"},
-        {LineClass::ridge, "l.line_class == 1"}};
+        {LineClass::ridge, "l.line_class == 0 && l.length_object_m >= 0.0"},  // from above, all folds are the outline
+        {LineClass::ridge, "l.line_class == 0 || l.line_class == 1", {3, 3, 2}}};
     look_.all({.width_px = 9.0f, .colour = {1.0f, 0.0f, 0.0f}});
     look_.far.is_on = false;
     const auto drawn_where = [&](const Condition& condition) {
@@ -164,7 +166,7 @@ TEST_F(pens, read_what_is_known_of_a_line)
             shaders_.line(std::string("#include \"line_pen.glsl\"\nvoid main() { HwLine l = hw_line();\nhw_output(") +
                           condition.glsl + " ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), l.coverage); }\n");
         load(style_);
-        return colours_of(draw(view_from({0, 4, 0.001}, {0, 0, 0}), {.samples = 1}));
+        return colours_of(draw(view_from(condition.eye, {0, 0, 0}), {.samples = 1}));
     };
     for (const Condition& condition : kConditions) {
         const Colours colours = drawn_where(condition);
@@ -172,6 +174,9 @@ TEST_F(pens, read_what_is_known_of_a_line)
         EXPECT_EQ(colours.red, 0) << condition.glsl;
     }
     EXPECT_GT(drawn_where({LineClass::border, "l.position_object.x > 0.0"}).red, 100) << "the test can fail";
+    const Colours corner = drawn_where({LineClass::ridge, "l.line_class == 1", {3, 3, 2}});
+    EXPECT_GT(corner.green, 100) << "inside";
+    EXPECT_GT(corner.red, 100) << "the outline";
 }
 
 TEST_F(pens, read_how_far_along_the_line_they_are)

@@ -13,7 +13,7 @@ uniform vec4 hw_line_share;  // of the style's own: see hw_share_at()
 void main()
 {
     vec3 middle = 0.5 + 0.5 * hw_v_middle.xyz / hw_v_middle.w;
-    if (hw_is_line_hidden(vec3(middle.xy * hw_size_px, middle.z), hw_v_aside)) discard;
+    if (hw_is_line_hidden(vec3(middle.xy * hw_size_px, middle.z), hw_v_aside, true)) discard;
     float coverage = hw_v_share;
 #ifdef HW_PRESENCE
     coverage *= hw_presence_at(hw_v_height) * hw_share_at(hw_line_share, hw_v_height);

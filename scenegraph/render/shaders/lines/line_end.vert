@@ -11,7 +11,7 @@ flat out vec4 hw_v_line_colour;  // w: diameter of the end in pixels
 void main()
 {
     hw_set_position(hw_in_position);
-    int line_class = int(hw_in_line_other.w + 0.5);
+    int line_class = hw_line_class();
     float widest = hw_line_width_px[line_class];
     vec3 relative = (hw_relative_from_object * vec4(hw_in_position, 1.0)).xyz;
     hw_v_height = relative.y + hw_eye_world.y;

@@ -5,7 +5,7 @@
 out vec3 hw_v_line;        // along and across the line, in pixels; z half the width
 out vec2 hw_v_line_height; // world height over w, 1 over w: perspective by hand, since w is 1 below
 flat out vec4 hw_v_line_way;  // x length in pixels, yz direction, w slope of depth along it
-flat out highp vec2 hw_v_line_depth;  // x at its beginning, y 1 for contours
+flat out highp vec2 hw_v_line_depth;  // x at its beginning, y on which side of a contour nothing is: 1 or -1, 2 either; 0 for others
 flat out vec3 hw_v_line_colour;
 #ifdef HW_STROKE
 flat out int hw_v_line_class;
@@ -54,7 +54,7 @@ void main()
     vec4 other = hw_clip_from_object * vec4(hw_in_line_other.xyz, 1.0);
     vec4 own_unclipped = own;
     vec4 other_unclipped = other;
-    int line_class = int(hw_in_line_other.w + 0.5);
+    int line_class = hw_line_class();
     hw_v_line_colour = hw_line_colour[line_class];
     hw_v_line = vec3(0.0);
     hw_v_line_height = vec2(0.0);
@@ -98,8 +98,9 @@ void main()
     // Of the two ends, the first is the beginning.
     vec2 depth = 0.5 + 0.5 * vec2(own.z / own.w, other.z / other.w);
     if (corner >= 2) depth = depth.yx;
-    hw_v_line_depth = vec2(depth.x, hw_line_is_contour(line_class));
-    hw_v_line_way = vec4(length_px, corner < 2 ? along : -along, (depth.y - depth.x) / max(length_px, 1e-6));
+    vec2 from_begin = corner < 2 ? along : -along;
+    hw_v_line_depth = vec2(depth.x, hw_line_is_contour(line_class) * hw_line_beyond(own, vec2(-from_begin.y, from_begin.x)));
+    hw_v_line_way = vec4(length_px, from_begin, (depth.y - depth.x) / max(length_px, 1e-6));
     hw_v_line_height = vec2(relative.y + hw_eye_world.y, 1.0) / own.w;
     gl_Position = vec4(place / half_size, own.z / own.w, 1.0);
 }

@@ -9,10 +9,12 @@ float hw_face_depth(vec2 at_px)
 }
 
 // `middle`: of the line at this fragment, pixels and depth in [0, 1]. `aside`: where a line at which the surface ends or
-// turns away is looked for too: faces thinner than a pixel may come nearer in its own pixel, beyond it nothing does.
-bool hw_is_line_hidden(vec3 middle, vec2 aside)
+// turns away is looked for too: faces thinner than a pixel may come nearer in its own pixel, beyond it nothing does. Where
+// it is not known which side is beyond, both are looked at.
+bool hw_is_line_hidden(vec3 middle, vec2 aside, bool on_both_sides)
 {
-    float face = hw_face_depth(middle.xy);
-    if (middle.z <= face) return false;
-    return aside == vec2(0.0) || middle.z > max(hw_face_depth(middle.xy + aside), hw_face_depth(middle.xy - aside));
+    if (middle.z <= hw_face_depth(middle.xy)) return false;
+    if (aside == vec2(0.0) || middle.z > hw_face_depth(middle.xy + aside))
+        return !on_both_sides || aside == vec2(0.0) || middle.z > hw_face_depth(middle.xy - aside);
+    return false;
 }

@@ -21,12 +21,13 @@ float hw_crowded_share(vec4 crowding, float windows)
     return exp2(-max(least, crowding[upper] + slope * (scale - float(upper))));
 }
 
-// 1 where both faces beside the line look at the eye: it is drawn inside of the object. 0 where it is an outline now, or
+// 1 where both faces beside the line show the same side: it is drawn inside of the object. 0 where it is an outline now, or
 // faces are not known. A line that turns from the one to the other does so over some degrees.
 float hw_line_insideness(vec3 normal_a, vec3 normal_b, vec3 to_eye)
 {
-    float facing = min(dot(normal_a, to_eye), dot(normal_b, to_eye)) / max(length(to_eye), 1e-20);
-    return smoothstep(0.0, 0.2, facing);
+    float a = dot(normal_a, to_eye), b = dot(normal_b, to_eye);
+    float facing = a * b > 0.0 ? min(abs(a), abs(b)) : 0.0;
+    return smoothstep(0.0, 0.2, facing / max(length(to_eye), 1e-20));
 }
 
 // Far away, all lines in a window get as much ink as the most that are drawn in full; those inside of an object go first.
