@@ -189,12 +189,19 @@ def hall_in(style, **params):
     return level
 
 
+def plugin_of(styles, name):
+    """Of a style of a level, also where it is like another."""
+    while "plugin" not in styles[name]:
+        name = styles[name]["like"]
+    return styles[name]["plugin"]
+
+
 def hall_in_ink(**params):
     """The hall as its level draws it in ink, what was found as well; `params` change all of its ink."""
     level = hall_level()
-    inks = {name: {**style, **params} for name, style in level["styles"].items() if style["plugin"] == "pen_and_ink"}
-    level["styles"] = inks
-    level["assign"] = [rule for rule in level["assign"] if rule.get("style", "assumed") in inks]
+    styles = level["styles"]
+    level["styles"] = {name: {**style, **params} for name, style in styles.items() if plugin_of(styles, name) == "pen_and_ink"}
+    level["assign"] = [rule for rule in level["assign"] if rule.get("style", "assumed") in level["styles"]]
     return level
 
 
