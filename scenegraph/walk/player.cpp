@@ -96,17 +96,16 @@ void stand_or_fall(PlayerState& state, const Motion& motion)
 }
 
 /// The move, unless it ends where nothing stops a fall: then what of it leads along the edge of the world, else up and
-/// down alone.
+/// down alone, else none. A fall onto an edge slides off it, so that even the way straight down can lead out.
 template <typename Move>
-Motion within_world(const glm::dvec3& velocity, const PlayerBody& body, const CollisionWorld& world, const Move& move)
+Motion within_world(const PlayerState& state, const PlayerBody& body, const CollisionWorld& world, const Move& move)
 {
-    const double x = velocity.x, y = velocity.y, z = velocity.z;
-    Motion motion;
-    for (const glm::dvec3& way : {velocity, glm::dvec3(x, y, 0.0), glm::dvec3(0.0, y, z), glm::dvec3(0.0, y, 0.0)}) {
-        motion = move(way);
-        if (stops_a_fall(world, body.gait, motion.foot_world)) break;
+    const double x = state.velocity.x, y = state.velocity.y, z = state.velocity.z;
+    for (const glm::dvec3& way : {state.velocity, {x, y, 0.0}, {0.0, y, z}, {0.0, y, 0.0}}) {
+        const Motion motion = move(way);
+        if (stops_a_fall(world, body.gait, motion.foot_world)) return motion;
     }
-    return motion;
+    return {.foot_world = state.foot_world, .has_touched = true};
 }
 
 void walk(PlayerState& state, const PlayerInput& input, const PlayerBody& body, const CollisionWorld& world)
@@ -122,7 +121,7 @@ void walk(PlayerState& state, const PlayerInput& input, const PlayerBody& body, 
     }
     if (state.is_carried) {
         const double before_m = state.foot_world.y;
-        stand_or_fall(state, within_world(state.velocity, body, world, [&](const glm::dvec3& way) {
+        stand_or_fall(state, within_world(state, body, world, [&](const glm::dvec3& way) {
                           return move_on_ground(world, body.gait, state.foot_world, way, kPlayerTick_s);
                       }));
         if (state.is_carried) state.eye_offset_m -= state.foot_world.y - before_m;
@@ -130,7 +129,7 @@ void walk(PlayerState& state, const PlayerInput& input, const PlayerBody& body, 
     }
     const double fastest = kFastestFall_mps * scale_of(body);
     state.velocity.y = std::max(-fastest, state.velocity.y - body.gravity_mps2 * kPlayerTick_s);
-    stand_or_fall(state, within_world(state.velocity, body, world, [&](const glm::dvec3& way) {
+    stand_or_fall(state, within_world(state, body, world, [&](const glm::dvec3& way) {
                       return move_through_air(world, body.gait, state.foot_world, way, kPlayerTick_s);
                   }));
 }
@@ -271,7 +270,8 @@ PlayerState placed_at(const Camera& camera, const PlayerBody& body, const Collis
         const double reach = kStandingReach_m * scale_of(body);
         const glm::dvec3 foot = free_place_near(world, state.foot_world, body.gait.capsule).value_or(state.foot_world);
         const Motion standing = settle(world, body.gait, foot, reach);
-        if (standing.is_carried && glm::distance(standing.foot_world, state.foot_world) <= reach) {
+        if (standing.is_carried && stops_a_fall(world, body.gait, standing.foot_world) &&
+            glm::distance(standing.foot_world, state.foot_world) <= reach) {
             state.eye_offset_m = state.foot_world.y - standing.foot_world.y;
             state.is_flying = false;
             state.is_carried = true;
@@ -300,7 +300,9 @@ PlayerState in_world(const PlayerState& state, const PlayerBody& body, const Col
 {
     PlayerState next = state;
     if (body.is_solid) free_from_solids(next, body, world);
-    if (!next.is_flying) next.is_carried = settle(world, body.gait, next.foot_world, 0.01).is_carried;
+    if (!next.is_flying)
+        next.is_carried = settle(world, body.gait, next.foot_world, 0.01).is_carried &&
+                          stops_a_fall(world, body.gait, next.foot_world);
     next.last_foot_world = next.foot_world;
     return next;
 }

@@ -400,6 +400,30 @@ TEST(player, the_edge_of_the_world_stops_walkers_and_jumpers_from_every_directio
         }
 }
 
+TEST(player, outside_of_a_fence_at_the_edge_of_the_world_a_fall_onto_the_fence_does_not_slide_out_of_it)
+{
+    // Two centimetres carry nobody, and a hair of the body is still over the last ground.
+    const auto world = Solids().box({-3, -0.5, -3}, {3, 0, 3}).box({2.956, 0, -2}, {2.976, 0.2, 2}).world();
+    int tried = 0;
+    for (double away_m = 0.268; away_m < 0.2712; away_m += 0.0002) {
+        auto state = standing_at({0, 0, 0}, world);
+        const double reach_m = kBody.gait.capsule.radius_m + hw::kCollisionSkin, flat_m = away_m + 0.024;
+        state.foot_world = {3.0 + away_m, 0.2 - 0.3 + std::sqrt(reach_m * reach_m - flat_m * flat_m) + 1e-3, 0.0};
+        state.last_foot_world = state.foot_world;
+        state.is_carried = false;
+        if (!hw::stops_a_fall(world, kBody.gait, state.foot_world)) continue;
+        ++tried;
+        state = after(2.0, state, {}, world);
+        EXPECT_FALSE(state.is_flying) << away_m;
+        EXPECT_TRUE(state.is_carried) << away_m;
+        EXPECT_LT(state.foot_world.x, 3.271) << away_m;
+        state.yaw_rad = state.last_yaw_rad = 1.5707963268;
+        state = after(2.0, state, {.forward = 1.0, .wants_jump = true}, world);
+        EXPECT_LT(state.foot_world.x, 2.0) << "a jump leads back over the fence, " << away_m;
+    }
+    EXPECT_GT(tried, 10);
+}
+
 TEST(player, the_edge_of_the_world_is_walked_along)
 {
     const auto world = plate_in_the_void();
