@@ -123,6 +123,7 @@ void Renderer::State::count(FrameStats& stats, const Frame& frame)
     stats.leaves_total = scene->input.visibility == nullptr ? 0 : scene->input.visibility->tree.leaf_count;
     stats.objects_visible = static_cast<int>(frame.view.visible.objects.size());
     stats.objects_total = static_cast<int>(scene->input.scene->objects.size());
+    stats.faces_drawn = frame.view.visible.triangle_count();
     stats.triangles = counters.triangles;
     stats.lines = line_counters.lines;
     stats.draw_calls = counters.draw_calls;

@@ -151,6 +151,8 @@ TEST(program, a_photoreal_level_pays_nothing_for_ink)
                                 "silhouette_extractions", "lines", "images_made", "transient_targets"})
         EXPECT_EQ(frame[product], 0) << product;
     EXPECT_GT(frame["triangles"], 1000);
+    EXPECT_GT(frame["faces_drawn"], 500);
+    EXPECT_LT(frame["faces_drawn"], frame["triangles"]) << "faces have a pass for depth, too";
 }
 
 TEST(program, the_tour_rendered_twice_has_the_same_bytes)

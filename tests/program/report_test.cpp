@@ -132,7 +132,7 @@ TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
     const std::map<std::string, std::vector<std::string>> set{
         {"devices.md", {"30 frames"}},                        // what a walk holds
         {"drawn_lines.md", {"99.5 %", "99.1 %"}},             // limits of picture_and_drawing_test
-        {"hatching.md", {"6 %"}},                             // the largest step of that definition, by its formula
+        {"hatching.md", {"6 %", "95 %"}},                     // the largest step of that definition; an interval
         {"level_files.md", {"2 GiB", "16 MiB"}},              // limits
         {"light.md", {"8 times"}},                            // samples of the reference
         {"strangers_files.md", {"2 GB", "64 KiB", "600 s"}},  // limits of the fuzzers
@@ -158,8 +158,8 @@ TEST(report_program, where_documents_tell_what_was_measured_every_number_is_fill
     const std::map<std::string, std::string> set{
         {"devices.md", "320 200 16 255 5 25 1 256"},
         {"drawn_lines.md", "4 3.5 1000 99.5 99.4"},
-        {"hatching.md", "3 1 1.5 6 99 5 80 200 1 17 17 95 1280 720 1 4 0 100 1 0 1 4"},
-        {"light.md", "512 8 8 8 8 4 8 4"},
+        {"hatching.md", "3 1 1.5 6 99 5 200 1 5 3 11 90 200 700 45 80 85 85 48 17 17 95 95 1280 720 1 4 0 100 1 0 1 4"},
+        {"light.md", "512 95 8 8 8 8 8 8 4 8 4 0"},
         {"silhouettes.md", "64 16 10,000 90 100 100"},
         {"strangers_files.md", "64 600 30"},
         {"visibility.md", "64 64 1 0.001"},

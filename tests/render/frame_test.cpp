@@ -35,6 +35,9 @@ TEST_F(frame, a_box_on_a_floor_shows_where_it_should)
     EXPECT_EQ(stats_.objects_visible, 2);
     draw(view_from({0, 1.5, 4}, {0, 0.5, 0}), {.samples = 1});
     EXPECT_EQ(stats_.triangles, 28u) << "depth, then faces";
+    EXPECT_EQ(stats_.faces_drawn, 14u) << "each once";
+    draw(view_from({0, 1.5, 2}, {0, 0, 5}), {.samples = 1});
+    EXPECT_EQ(stats_.faces_drawn, 2u) << "the box is behind the eye";
 }
 
 TEST_F(frame, objects_that_others_hide_are_left_out_and_no_pixel_changes)

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "measure/hatching/hatch_profile.hpp"
+
 namespace hw {
 namespace {
 
@@ -23,19 +25,24 @@ LightError error_over(const std::vector<ComparedPoint>& points,
                       const std::function<double(const ComparedPoint&)>& found,
                       const std::function<double(const ComparedPoint&)>& reference)
 {
-    double squares = 0.0;
-    double worst = 0.0;
-    double sum = 0.0;
+    std::vector<double> local;
+    double squares = 0.0, worst = 0.0, sum = 0.0, differences = 0.0, count = 0.0;
     for (const ComparedPoint& point : points) {
         const double wanted = reference(point);
-        const double difference = std::abs(found(point) - wanted);
+        if (!std::isfinite(wanted)) continue;
+        const double difference = found(point) - wanted;
         squares += difference * difference;
-        worst = std::max(worst, difference);
+        worst = std::max(worst, std::abs(difference));
         sum += wanted;
+        differences += difference;
+        count += 1.0;
+        if (wanted > 0.0) local.push_back(std::abs(difference) / wanted);
     }
-    const auto count = static_cast<double>(points.size());
     const double mean = sum / count;
-    return {std::sqrt(squares / count) / mean, worst / mean};
+    return {.rms = std::sqrt(squares / count) / mean,
+            .worst = worst / mean,
+            .local_p95 = absolute_quantile(local, 0.95),
+            .bias = differences / sum};
 }
 
 }  // namespace

@@ -7,8 +7,10 @@ namespace hw {
 
 /// Baked light against a reference, at points spread over the drawn surface, as a renderer would show it.
 struct LightError {
-    double rms = 0.0;    ///< Of the differences, as a share of the reference's mean.
-    double worst = 0.0;  ///< The largest difference, as a share of the same.
+    double rms = 0.0;        ///< Of the differences, as a share of the reference's mean.
+    double worst = 0.0;      ///< The largest difference, as a share of the same.
+    double local_p95 = 0.0;  ///< 95th percentile of the differences, each as a share of the reference at its place.
+    double bias = 0.0;       ///< The mean of the differences, below 0 where too dark, as a share of the mean.
 };
 
 /// A place of the surface with its light.

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "hatchway/core/error.hpp"
 #include "measure/light/light_reference.hpp"
+#include "measure/no_value.hpp"
 
 namespace hw {
 namespace {
@@ -88,6 +90,28 @@ LightCase covered_sky_case()
     result.sources.sky_luminance = glm::vec3(3000.0f);
     result.reference = [](const glm::dvec3& place, const glm::dvec3& normal) {
         return glm::pi<double>() * 3000.0 - polygon_illuminance(3000.0, kPlate, place, normal);
+    };
+    return result;
+}
+
+/// A black wall across the floor of over_floor(), a sun so low that all of the floor behind it is in shadow, and the
+/// sky. `reach_m`: how far from the wall the floor is judged, on the sunny side alone unless it is all of it.
+LightCase wall_case(const std::string& name, double reach_m)
+{
+    constexpr double kHalf_m = 0.1, kHigh_m = 2.0, kSky = 3000.0, kSun = 20000.0;
+    LightCase result = over_floor(name);
+    add_box(result.scene, add_material(result.scene, 0.0f), {{-kHalf_m, 0, -2}, {kHalf_m, kHigh_m, 2}});
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(-2.0, -1.0, 0.0));
+    result.sources.lights.push_back({.type = LightType::sun, .intensity = kSun, .direction_world = direction});
+    result.sources.sky_luminance = glm::vec3(kSky);
+    const bool is_all = reach_m >= 2.0;
+    result.reference = [=](const glm::dvec3& place, const glm::dvec3& normal) {
+        const double away_m = std::abs(place.x) - kHalf_m;
+        if (away_m <= 0.0 || away_m > reach_m || (!is_all && place.x < 0.0)) return measure::kNoValue;
+        const double x = std::copysign(kHalf_m, place.x), z = place.x > 0.0 ? 2.0 : -2.0;
+        const std::array<glm::dvec3, 4> face{{{x, 0, -z}, {x, kHigh_m, -z}, {x, kHigh_m, z}, {x, 0, z}}};
+        const double sun = place.x > 0.0 ? kSun * glm::dot(-direction, normal) : 0.0;
+        return glm::pi<double>() * kSky - polygon_illuminance(kSky, face, place, normal) + sun;
     };
     return result;
 }
@@ -224,6 +248,8 @@ std::vector<LightCase> light_cases()
     cases.push_back(sun_case());
     cases.push_back(rectangle_case());
     cases.push_back(covered_sky_case());
+    cases.push_back(wall_case("wall on the floor", 2.0));
+    cases.push_back(wall_case("foot of the wall", 0.25));
     cases.push_back(closed_room_case());
     cases.push_back(lit_room_case());
     return cases;

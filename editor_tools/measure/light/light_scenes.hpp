@@ -15,11 +15,12 @@ struct LightCase {
     LightSources sources;
     double luxels_per_m = 8.0;
     ObjectId measured = 0;  ///< The object whose light is compared.
-    /// Lux at a place; empty: compared with the same bake of many more samples.
+    /// Lux at a place, not finite where nobody looks; empty: compared with the same bake of many more samples.
     std::function<double(const glm::dvec3& place_world, const glm::dvec3& normal_world)> reference;
 };
 
-/// Point, sun, rectangle, covered sky and closed bright room, each with its closed form; and a lit room without one.
+/// Point, sun, rectangle, covered sky, a wall that stands on the floor (and its foot alone) and closed bright room,
+/// each with its closed form; and a lit room without one.
 std::vector<LightCase> light_cases();
 /// The one of that name, which there must be.
 const LightCase& light_case_named(const std::string& name);

@@ -51,12 +51,13 @@ std::vector<LightRow> rows_of(const LightCase& light_case, std::uint32_t samples
 JsonValue measure_cases(std::uint32_t samples)
 {
     JsonValue json = JsonValue::array();
-    print_line(
-        fmt::format("{:<20}{:>9}{:>9}{:>10}{:>10}{:>10}", "case", "samples", "luxels", "seconds", "RMS %", "worst %"));
+    print_line(fmt::format("{:<20}{:>9}{:>9}{:>10}{:>10}{:>10}{:>10}{:>10}", "case", "samples", "luxels", "seconds",
+                           "RMS %", "worst %", "local p95", "bias %"));
     for (const LightCase& light_case : light_cases())
         for (const LightRow& row : rows_of(light_case, samples)) {
-            print_line(fmt::format("{:<20}{:>9}{:>9}{:>10.3f}{:>10.3f}{:>10.3f}", light_case.name, row.samples,
-                                   row.luxels, row.seconds, 100.0 * row.error.rms, 100.0 * row.error.worst));
+            print_line(fmt::format("{:<20}{:>9}{:>9}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}", light_case.name,
+                                   row.samples, row.luxels, row.seconds, 100.0 * row.error.rms, 100.0 * row.error.worst,
+                                   100.0 * row.error.local_p95, 100.0 * row.error.bias));
             json.push(JsonValue::object()
                           .set("case", light_case.name)
                           .set("luxels_per_m", light_case.luxels_per_m)
@@ -64,7 +65,9 @@ JsonValue measure_cases(std::uint32_t samples)
                           .set("luxels", row.luxels)
                           .set("seconds", row.seconds)
                           .set("rms", row.error.rms)
-                          .set("worst", row.error.worst));
+                          .set("worst_of_mean", row.error.worst)
+                          .set("local_p95", row.error.local_p95)
+                          .set("bias", row.error.bias));
         }
     return json;
 }

@@ -3,8 +3,8 @@
     python3 editor_tools/measure/visibility/game_map_share.py build/release/bin/hatchway oa_dm1.bsp oa_oa_dm1.glb docs/report/results/game_map.json
 
 Views: eyes over the map's own starts and items, spread evenly, four directions each. Theirs: triangles of faces in leaves whose box meets the
-view and whose cluster is in the row of the eye's, over those of all leaves whose box meets the view, as that engine draws. Ours: triangles
-drawn with the PVS over those drawn without, all passes. The two cut the map into other parts, so only the shares compare. Not judged: what
+view and whose cluster is in the row of the eye's, over those of all leaves whose box meets the view, as that engine draws. Ours:
+`faces_drawn` of `render --json` with the PVS over the same without. Both count a triangle once, however many passes draw it. The two cut the map into other parts, so only the shares compare. Not judged: what
 either hides. The map may be compressed (.xz); it has to be built from the same sources as the model, 1 unit = 1/32 m.
 """
 import argparse
@@ -133,7 +133,7 @@ def our_triangles(program, model, views):
                 "--json", folder / "frames.json", *pvs)
             frames = json.loads((folder / "frames.json").read_text())["frames"][1:]
             assert len(frames) == len(views)
-            sums.append(sum(frame["triangles"] for frame in frames))
+            sums.append(sum(frame["faces_drawn"] for frame in frames))
         return sums
 
 
@@ -150,7 +150,7 @@ def main():
            "q3map2_triangles": theirs[0], "q3map2_triangles_in_view": theirs[1], "our_triangles": ours[0], "our_triangles_in_view": ours[1]}
     print(json.dumps(row))
     commit = subprocess.run(["git", "rev-parse", "--short=10", "HEAD"], cwd=Path(__file__).parent, check=True, capture_output=True, text=True)
-    command = f"game_map_share.py hatchway {options.map.name} {options.model.name} --eyes {options.eyes}"
+    command = f"game_map_share.py hatchway {options.map.name} {options.model.name} {options.json.name} --eyes {options.eyes}"
     origin = {"commit": commit.stdout.strip(), "date": date.today().isoformat(), "command": command}
     options.json.write_text(json.dumps({"rows": [row], "origin": origin}, indent=2) + "\n")
 

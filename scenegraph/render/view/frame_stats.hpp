@@ -13,8 +13,9 @@ struct FrameStats {
     int objects_visible = 0;
     int objects_total = 0;
     // Work of this frame.
-    std::uint64_t triangles = 0;  ///< Sent to the device, each pass counted.
-    std::uint64_t lines = 0;      ///< Line segments sent to the device, as lines or as quads.
+    std::uint64_t faces_drawn = 0;  ///< Triangles of objects that the camera's passes draw, each once.
+    std::uint64_t triangles = 0;    ///< Sent to the device, each pass counted: also shadows, questions, lines as quads.
+    std::uint64_t lines = 0;        ///< Line segments sent to the device, as lines or as quads.
     int draw_calls = 0;
     int state_changes = 0;
     int program_switches = 0;

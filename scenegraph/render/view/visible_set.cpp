@@ -79,6 +79,13 @@ void collect_ranges(const MeshChunks& chunks, const Planes& planes, std::span<co
 
 }  // namespace
 
+std::uint64_t VisibleSet::triangle_count() const
+{
+    std::uint64_t indices = 0;
+    for (const IndexRange& range : ranges) indices += range.count;
+    return indices / 3;
+}
+
 VisibleObject place_object(const Scene& scene, ObjectId object, const View& view)
 {
     const glm::dmat4& world_from_object = scene.world_from_object(object);

@@ -39,8 +39,10 @@ struct VisibleObject {
 
 struct VisibleSet {
     std::vector<VisibleObject> objects;  ///< Near before far; equal distances by id.
-    std::vector<IndexRange> ranges;
+    std::vector<IndexRange> ranges;      ///< Of the objects, one object's after another's.
     int leaves_visible = 0;
+
+    std::uint64_t triangle_count() const;
 };
 
 struct VisibilityQuery {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/packing.hpp>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -288,6 +289,13 @@ TEST(baked_light, final_quality_is_within_a_percent_under_a_rectangle)
 TEST(baked_light, final_quality_is_within_a_percent_under_a_covered_sky)
 {
     EXPECT_LT(final_error("covered sky").rms, 0.01);
+}
+TEST(baked_light, a_wall_that_stands_on_a_floor_darkens_its_sunny_foot_and_nothing_else)
+{
+    const LightError foot = final_error("foot of the wall"), all = final_error("wall on the floor");
+    EXPECT_LT(foot.bias, -0.01) << "the rule against leaks has its price, and the measure sees it";
+    EXPECT_GT(foot.bias, -0.6);
+    EXPECT_LT(std::abs(all.bias), 0.1);
 }
 TEST(baked_light, final_quality_is_within_a_percent_where_light_bounces_for_ever)
 {
@@ -617,6 +625,26 @@ TEST(light_measure, a_lightmap_that_is_a_tenth_too_bright_has_a_tenth_of_error)
     const LightError error = light_error(bake_lightmap(sun.scene, brighter, kQuick), sun);
     EXPECT_NEAR(error.rms, 0.1, 5e-4);
     EXPECT_NEAR(error.worst, 0.1, 5e-4);
+    EXPECT_NEAR(error.local_p95, 0.1, 5e-4);
+    EXPECT_NEAR(error.bias, 0.1, 5e-4);
+}
+
+TEST(light_measure, an_error_in_a_dark_corner_is_small_beside_the_mean_and_large_beside_its_place)
+{
+    LightCase half = light_case_named("sun");
+    const auto sun = half.reference;
+    const auto is_dark = [](const glm::dvec3& place) { return place.x > 1.0; };
+    half.reference = [=](const glm::dvec3& place, const glm::dvec3& normal) {
+        return sun(place, normal) * (is_dark(place) ? 0.9 : 1.0);
+    };
+    const LightError error = light_error(bake_lightmap(half.scene, half.sources, kQuick), half);
+    EXPECT_NEAR(error.worst, 0.1 / 0.975, 1e-3);
+    EXPECT_NEAR(error.local_p95, 0.1 / 0.9, 1e-3);
+    EXPECT_NEAR(error.bias, 0.025 / 0.975, 2e-3);
+    half.reference = [=](const glm::dvec3& place, const glm::dvec3& normal) {
+        return is_dark(place) ? std::numeric_limits<double>::quiet_NaN() : sun(place, normal);
+    };
+    EXPECT_LT(light_error(bake_lightmap(half.scene, half.sources, kQuick), half).rms, 1e-3) << "where nobody looks";
 }
 
 TEST(light_measure, one_lit_luxel_in_a_dark_room_is_one_leak)
