@@ -2,6 +2,8 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/omstream.hh>
+#include <algorithm>
+#include <numeric>
 
 #include "hatchway/core/error.hpp"
 
@@ -19,37 +21,51 @@ TriMesh::Point float_point(const glm::dvec3& p)
     return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
+std::vector<std::uint32_t> in_model_order(const Surface& surface)
+{
+    std::vector<std::uint32_t> order(surface.faces.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return surface.face_triangle[a] < surface.face_triangle[b]; });
+    return order;
+}
+
 }  // namespace
 
 struct HalfEdgeMesh::Mesh {
     TriMesh tri;
-    std::uint32_t surface_positions = 0;
+    std::uint32_t refused_faces = 0;
     std::vector<std::uint32_t> original;  // for each vertex its position in the surface
     std::vector<unsigned char> is_front;  // of each face, from the last eye
+
+    TriMesh::VertexHandle add_vertex(const Surface& surface, std::uint32_t position)
+    {
+        original.push_back(position);
+        const glm::vec3& p = surface.positions[position];
+        return tri.add_vertex({p.x, p.y, p.z});
+    }
 };
 
 HalfEdgeMesh::HalfEdgeMesh(const Surface& surface) : mesh_(std::make_unique<Mesh>())
 {
     TriMesh& tri = mesh_->tri;
-    mesh_->surface_positions = static_cast<std::uint32_t>(surface.positions.size());
     tri.reserve(surface.positions.size(), surface.faces.size() * 3 / 2, surface.faces.size());
-    for (const glm::vec3& p : surface.positions) {
-        mesh_->original.push_back(static_cast<std::uint32_t>(tri.n_vertices()));
-        tri.add_vertex({p.x, p.y, p.z});
-    }
+    std::vector<TriMesh::VertexHandle> vertex_at(surface.positions.size());  // invalid: not met yet
     // A refused face is no error here, so OpenMesh's report of it must not reach the user.
     const bool was_enabled = omerr().is_enabled();
     omerr().disable();
-    for (const auto& [a, b, c] : surface.faces) {
-        if (tri.add_face(tri.vertex_handle(a), tri.vertex_handle(b), tri.vertex_handle(c)).is_valid()) continue;
-        std::array<TriMesh::VertexHandle, 3> copies;
-        const std::array<std::uint32_t, 3> corners{a, b, c};
-        for (int i = 0; i < 3; ++i) {
-            const TriMesh::Point point = tri.point(tri.vertex_handle(corners[i]));  // add_vertex moves the storage
-            copies[i] = tri.add_vertex(point);
-            mesh_->original.push_back(corners[i]);
+    for (const std::uint32_t face : in_model_order(surface)) {
+        const FaceCorners& corners = surface.faces[face];
+        std::array<TriMesh::VertexHandle, 3> vertices;
+        for (std::size_t i = 0; i < 3; ++i) {
+            TriMesh::VertexHandle& vertex = vertex_at[corners[i]];
+            if (!vertex.is_valid()) vertex = mesh_->add_vertex(surface, corners[i]);
+            vertices[i] = vertex;
         }
-        HW_ASSERT(tri.add_face(copies[0], copies[1], copies[2]).is_valid());
+        if (tri.add_face(vertices[0], vertices[1], vertices[2]).is_valid()) continue;
+        ++mesh_->refused_faces;
+        for (std::size_t i = 0; i < 3; ++i) vertices[i] = mesh_->add_vertex(surface, corners[i]);
+        HW_ASSERT(tri.add_face(vertices[0], vertices[1], vertices[2]).is_valid());
     }
     if (was_enabled) omerr().enable();
     tri.update_face_normals();
@@ -73,7 +89,7 @@ std::uint32_t HalfEdgeMesh::edge_count() const
 }
 std::uint32_t HalfEdgeMesh::refused_faces() const
 {
-    return (vertex_count() - mesh_->surface_positions) / 3;
+    return mesh_->refused_faces;
 }
 
 std::array<std::uint32_t, 2> HalfEdgeMesh::edge_ends(int edge) const

@@ -9,9 +9,10 @@
 
 namespace hw {
 
-/// OpenMesh's half-edge mesh over the repaired faces of a surface, for algorithms that walk around vertices. Every face
-/// of the surface is in it, with the same number; where OpenMesh refuses a face (complex edge or vertex, a surface that
-/// cannot be oriented) its corners are duplicated.
+/// OpenMesh's half-edge mesh over the repaired faces of a surface, in the order of the model's triangles, and their
+/// corners as these come: what a program that loads the model into OpenMesh goes through. (Our surfaces put faces that
+/// lie close together side by side.) Every face of the surface is in it; where OpenMesh refuses a face (complex edge or
+/// vertex, a surface that cannot be oriented) its corners are duplicated.
 class HalfEdgeMesh {
  public:
     explicit HalfEdgeMesh(const Surface& surface);

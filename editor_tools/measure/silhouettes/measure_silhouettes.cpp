@@ -8,6 +8,7 @@
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/limits.hpp"
+#include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/io/level/file.hpp"
@@ -15,6 +16,7 @@
 #include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/no_value.hpp"
+#include "measure/random_seed.hpp"
 #include "measure/silhouettes/silhouette_subject.hpp"
 #include "measure/silhouettes/smooth_mesh.hpp"
 #include "program/arguments.hpp"
@@ -70,6 +72,7 @@ struct Row {
     std::uint64_t edges = 0;
     std::size_t views = 0;
     std::uint64_t expected = 0;        ///< Silhouettes of the file's triangles, all views.
+    std::uint64_t edge_on = 0;         ///< Edges of faces in whose plane the eye is: the file leaves them open.
     SilhouetteErrors errors;           ///< Against the file's triangles, where repair changed nothing.
     SilhouetteErrors changed_errors;   ///< The same where it did.
     SilhouetteErrors repaired_errors;  ///< Against the surface after welding and repair.
@@ -77,6 +80,7 @@ struct Row {
     std::uint64_t refused_faces = 0;  ///< By OpenMesh: its mesh is another one there.
     SilhouetteCounters counters;
     std::uint64_t bytes = 0;
+    std::uint64_t cluster_bytes = 0;  ///< Of these.
     double preprocess_s = 0.0;
 };
 
@@ -177,10 +181,11 @@ void judge(const SilhouetteSubject& subject, const std::vector<OracleEdge>& foun
         of_surface = common(candidates, of_surface);
         of_file = common(in_file(candidates), of_file);
     }
-    const std::vector<OracleEdge> found_in_file = in_file(found);
+    const std::vector<OracleEdge> found_in_file = without(in_file(found), subject.edge_on[view]);
     const std::vector<OracleEdge>& changed = subject.changed;
     const SilhouetteOracle& oracle = *subject.file_oracle;
     row.expected += of_file.size();
+    row.edge_on += subject.edge_on[view].size();
     add(row.errors, oracle.judge(without(found_in_file, changed), without(of_file, changed)));
     add(row.changed_errors, oracle.judge(common(found_in_file, changed), common(of_file, changed)));
     add(row.repaired_errors, subject.surface_oracle->judge(found, of_surface));
@@ -206,7 +211,8 @@ void measure_subject(const SilhouetteSubject& subject, Row& row)
     row.counters = scratch.counters;
     const OutlineBytes bytes = outline_bytes(subject.surface);
     const bool has_clusters = takes_clusters(subject, row.variant.method);
-    row.bytes = bytes.edges + bytes.planes + (has_clusters ? bytes.clusters : 0);
+    row.cluster_bytes = has_clusters ? bytes.clusters : 0;
+    row.bytes = bytes.edges + bytes.planes + row.cluster_bytes;
     row.preprocess_s = subject.preprocess_s + (has_clusters ? subject.cluster_s : 0.0);
 }
 
@@ -244,9 +250,14 @@ JsonValue row_json(const Row& row)
     json.set("ms_median", median).set("ms_p95", quantile(row.ms, 0.95));
     json.set("ns_per_edge", 1e6 * median / static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
     json.set("views", std::uint64_t{row.views}).set("expected", row.expected);
+    json.set("edge_on", row.edge_on);
     set_errors(json, row, "", row.errors);
     json.set("changed_edges", row.changed_edges);
-    set_errors(json, row, "changed_", row.changed_errors);
+    if (row.changed_edges > 0) {
+        set_errors(json, row, "changed_", row.changed_errors);
+    } else {
+        json.set("changed_fp", measure::kNoValue).set("changed_fn", measure::kNoValue);
+    }
     set_errors(json, row, "repaired_", row.repaired_errors);
     if (has_loops(row)) json.set("odd", std::uint64_t{row.repaired_errors.odd_vertices});
     json.set("refused_faces", row.refused_faces);
@@ -254,6 +265,7 @@ JsonValue row_json(const Row& row)
     json.set("double_stage", share(row.counters.double_stage, row.counters.faces_tested));
     json.set("tested_share", static_cast<double>(row.counters.edges_tested) / calls /
                                  static_cast<double>(std::max<std::uint64_t>(row.edges, 1)));
+    if (row.cluster_bytes > 0) json.set("cluster_bytes_an_edge", share(row.cluster_bytes, row.edges));
     json.set("bytes", row.bytes).set("preprocess_s", row.preprocess_s);
     return json;
 }
@@ -272,7 +284,8 @@ std::string row_text(const Row& row)
                        fmt::format("{:.0e}", row.placement.offset), row.placement.is_by_node ? "node" : "vertices",
                        fmt::format("{:.0e}", row.placement.scale), fmt::format("{:.3f}", quantile(row.ms, 0.5)),
                        fmt::format("{:.3f}", quantile(row.ms, 0.95)), row.expected, errors_text(row, row.errors),
-                       errors_text(row, row.changed_errors), errors_text(row, row.repaired_errors),
+                       row.changed_edges > 0 ? errors_text(row, row.changed_errors) : "-",
+                       errors_text(row, row.repaired_errors),
                        has_loops(row) ? fmt::format("{}", row.repaired_errors.odd_vertices) : "-");
 }
 
@@ -315,6 +328,15 @@ std::vector<SilhouettePlacement> placements_of(const SilhouetteMeasureArguments&
     return placements;
 }
 
+/// With a warning where there are none: such a model is judged by nothing.
+bool has_silhouettes(const std::string& name, const SilhouetteSubject& subject)
+{
+    const auto& views = subject.of_file;
+    if (std::any_of(views.begin(), views.end(), [](const auto& edges) { return !edges.empty(); })) return true;
+    log_warning(name + ": no edge is a silhouette from any view: not measured");
+    return false;
+}
+
 void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
 {
     require_outputs({arguments.result.output()}, arguments.files);
@@ -330,13 +352,10 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
         for (const SilhouettePlacement& placement : placements) {
             progress.advance();
             const auto subject = silhouette_subject(named.mesh, placement, whole_faces, arguments.views);
-            if (!subject) continue;
+            if (!subject || !has_silhouettes(named.name, *subject)) continue;
             for (const Variant& variant : kVariants) {
                 Row row{.model = named.name, .variant = variant, .placement = placement};
                 measure_subject(*subject, row);
-                if (row.expected == 0 && variant.method == Method::brute)
-                    throw Error({.what = named.name + ": no edge is a silhouette from any view",
-                                 .expected = "a mesh with edges of two faces"});
                 row.faces_left = static_cast<double>(row.faces) / static_cast<double>(whole_faces);
                 rows.push(row_json(row));
                 is_empty = false;
@@ -345,7 +364,8 @@ void measure_silhouettes(const SilhouetteMeasureArguments& arguments)
         }
     }
     if (is_empty)
-        throw Error({.what = "no model keeps its faces there", .expected = "a smaller --offset or a larger --scale"});
+        throw Error({.what = "nothing was measured",
+                     .expected = "models that keep their faces at that --offset and --scale, with edges of two faces"});
     arguments.result.write(JsonValue::object()
                                .set("views", arguments.views.around)
                                .set("random_views", arguments.views.random)
@@ -371,6 +391,7 @@ void add_measure_silhouettes(CommandLine measure)
     command.add_option("--random", arguments->views.random, "Random views in addition, the same in each run; 0")
         .option_text("N")
         .check(whole_number_in(0, 1'000'000));
+    add_seed(command, arguments->views.seed, "random views");
     command.add_flag("--orthographic", arguments->views.is_orthographic, "Look from directions, not from eyes");
     command.add_option("--offset", arguments->offsets, "Move the vertices, in floats; 0,1e3,1e5,1e6")
         .delimiter(',')

@@ -85,7 +85,11 @@ struct SilhouetteOracle::Eye {
 SilhouetteOracle::SilhouetteOracle(std::span<const glm::vec3> positions,
                                    std::span<const std::array<std::uint32_t, 3>> faces, Arithmetic arithmetic,
                                    std::span<const OraclePlane> given, Winding winding)
-    : positions_(positions), faces_(faces), arithmetic_(arithmetic), is_closed_(positions.size(), true)
+    : positions_(positions),
+      faces_(faces),
+      arithmetic_(arithmetic),
+      winding_(winding),
+      is_closed_(positions.size(), true)
 {
     std::map<OracleEdge, std::vector<std::uint32_t>> faces_at;
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
@@ -181,6 +185,22 @@ std::vector<OracleEdge> SilhouetteOracle::silhouettes(const glm::dvec3& eye, dou
 std::vector<OracleEdge> SilhouetteOracle::silhouettes_in_world(const glm::dvec3& eye_world,
                                                                const glm::dmat4& world_from_object, double w) const
 {
+    return silhouettes_from(eye_in_object(eye_world, world_from_object, w));
+}
+
+std::vector<OracleEdge> SilhouetteOracle::edge_on_in_world(const glm::dvec3& eye_world,
+                                                           const glm::dmat4& world_from_object, double w) const
+{
+    const std::vector<signed char> side = sides_from(eye_in_object(eye_world, world_from_object, w));
+    std::vector<OracleEdge> edge_on;
+    for (const Pair& pair : pairs_)
+        if (side[pair.face_a] == 0 || side[pair.face_b] == 0) edge_on.push_back(pair.edge);
+    return edge_on;
+}
+
+SilhouetteOracle::Eye SilhouetteOracle::eye_in_object(const glm::dvec3& eye_world, const glm::dmat4& world_from_object,
+                                                      double w)
+{
     std::array<Rational3, 3> axes;  // columns of the matrix
     Rational3 to_eye;
     for (int axis = 0; axis < 3; ++axis) {
@@ -193,16 +213,24 @@ std::vector<OracleEdge> SilhouetteOracle::silhouettes_in_world(const glm::dvec3&
     const Rational3 eye_object{dot(to_eye, cross(axes[1], axes[2])) / volume,
                                dot(to_eye, cross(axes[2], axes[0])) / volume,
                                dot(to_eye, cross(axes[0], axes[1])) / volume};
-    return silhouettes_from({eye_object, w != 0.0});
+    return {eye_object, w != 0.0};
 }
 
-std::vector<OracleEdge> SilhouetteOracle::silhouettes_from(const Eye& eye) const
+std::vector<signed char> SilhouetteOracle::sides_from(const Eye& eye) const
 {
     std::vector<signed char> side(faces_.size());
     for (std::uint32_t f = 0; f < faces_.size(); ++f) side[f] = static_cast<signed char>(sign(f, eye));
     for (const auto& [face, source] : inherits_) side[face] = source < faces_.size() ? side[source] : 0;
+    return side;
+}
+
+std::vector<OracleEdge> SilhouetteOracle::silhouettes_from(const Eye& eye) const
+{
+    const std::vector<signed char> side = sides_from(eye);
     std::vector<OracleEdge> found;
     for (const Pair& pair : pairs_) {
+        const bool is_open = side[pair.face_a] == 0 || side[pair.face_b] == 0;
+        if (is_open && winding_ == Winding::says_nothing) continue;
         const int side_b = pair.is_turned ? -side[pair.face_b] : side[pair.face_b];
         if ((side[pair.face_a] > 0) != (side_b > 0)) found.push_back(pair.edge);
     }

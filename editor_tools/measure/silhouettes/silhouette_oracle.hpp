@@ -44,13 +44,18 @@ class SilhouetteOracle {
     /// their edge in the same direction one is turned over first: a silhouette is an edge whose faces lie on the same
     /// side of it in the picture. `w` is 1 for an eye, 0 for a direction to the viewer.
     /// A face whose plane contains the eye is back-facing; a collinear face has the facing of the neighbour across its
-    /// longest edge, if that edge has exactly two faces, else it is back-facing.
+    /// longest edge, if that edge has exactly two faces, else it is back-facing. Where winding says nothing, back is no
+    /// side, and such faces leave their edges open: those are edge_on_in_world() and not among the silhouettes.
     std::vector<OracleEdge> silhouettes(const glm::dvec3& eye, double w = 1.0) const;
 
     /// The same for an eye in world space and faces that a matrix places there, whose determinant is not 0: nothing is
     /// rounded on the way to the object.
     std::vector<OracleEdge> silhouettes_in_world(const glm::dvec3& eye_world, const glm::dmat4& world_from_object,
                                                  double w = 1.0) const;
+
+    /// Edges of exactly two faces of which one is a line in the picture: its plane contains the eye, or it has none.
+    std::vector<OracleEdge> edge_on_in_world(const glm::dvec3& eye_world, const glm::dmat4& world_from_object,
+                                             double w = 1.0) const;
 
     /// Judges a sorted list against `expected`, the oracle's own for the same eye.
     SilhouetteErrors judge(std::span<const OracleEdge> found, std::span<const OracleEdge> expected) const;
@@ -66,6 +71,8 @@ class SilhouetteOracle {
     };
 
     struct Eye;
+    static Eye eye_in_object(const glm::dvec3& eye_world, const glm::dmat4& world_from_object, double w);
+    std::vector<signed char> sides_from(const Eye& eye) const;
     std::vector<OracleEdge> silhouettes_from(const Eye& eye) const;
     int sign(std::uint32_t face, const Eye& eye) const;
     bool is_collinear(std::uint32_t face) const;
@@ -74,6 +81,7 @@ class SilhouetteOracle {
     std::span<const glm::vec3> positions_;
     std::span<const std::array<std::uint32_t, 3>> faces_;
     Arithmetic arithmetic_;
+    Winding winding_;
     std::size_t edge_count_ = 0;
     std::vector<Pair> pairs_;
     std::vector<std::array<std::uint32_t, 2>> inherits_;  // face, the face whose facing it has

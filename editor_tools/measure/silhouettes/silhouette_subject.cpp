@@ -46,7 +46,7 @@ std::vector<Viewpoint> views_of(const Surface& surface, const SilhouetteViews& w
         const double r = std::sqrt(1.0 - y * y);
         views.push_back(view(r * std::cos(around), y, r * std::sin(around)));
     }
-    std::mt19937 random(20011);
+    std::mt19937 random(wanted.seed);
     const auto part = [&] { return 2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0; };
     const auto random_view = [&] {
         const double x = part(), y = part(), z = part();
@@ -64,30 +64,6 @@ std::vector<Viewpoint> views_of(const Surface& surface, const SilhouetteViews& w
     std::stable_sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     for (std::size_t i = 0; i < kWorst; ++i) views.push_back(trials[i].second);
     return views;
-}
-
-/// Positions and faces as the model has them: what a program that loads it into OpenMesh goes through. Our surfaces put
-/// faces that lie close together side by side.
-Surface in_model_order(const Surface& surface)
-{
-    std::vector<std::uint32_t> order(surface.faces.size());
-    for (std::uint32_t face = 0; face < order.size(); ++face) order[face] = face;
-    std::sort(order.begin(), order.end(),
-              [&](auto a, auto b) { return surface.face_triangle[a] < surface.face_triangle[b]; });
-    Surface plain;
-    std::vector<std::uint32_t> new_id(surface.positions.size(), kNoFace);
-    for (const std::uint32_t face : order) {
-        FaceCorners corners = surface.faces[face];
-        for (std::uint32_t& corner : corners) {
-            if (new_id[corner] == kNoFace) {
-                new_id[corner] = static_cast<std::uint32_t>(plain.positions.size());
-                plain.positions.push_back(surface.positions[corner]);
-            }
-            corner = new_id[corner];
-        }
-        plain.faces.push_back(corners);
-    }
-    return plain;
 }
 
 /// The file's triangles need no winding. Which faces of the surface take the plane of another, the engine says.
@@ -119,6 +95,7 @@ void add_views(SilhouetteSubject& subject, const SilhouettePlacement& placement,
         view.eye = glm::dvec3(world * glm::dvec4(view.eye, w));
         subject.views.push_back(in_object(view, world));
         subject.of_file.push_back(subject.file_oracle->silhouettes_in_world(view.eye, world, w));
+        subject.edge_on.push_back(subject.file_oracle->edge_on_in_world(view.eye, world, w));
         subject.of_surface.push_back(subject.surface_oracle->silhouettes_in_world(view.eye, world, w));
     }
 }
@@ -148,7 +125,7 @@ std::optional<SilhouetteSubject> silhouette_subject(MeshData mesh, const Silhoue
     const auto cluster_start = std::chrono::steady_clock::now();
     subject.surface.clusters.prepare(subject.surface);
     subject.cluster_s = seconds_since(cluster_start);
-    subject.half_edges = std::make_unique<HalfEdgeMesh>(in_model_order(subject.surface));
+    subject.half_edges = std::make_unique<HalfEdgeMesh>(subject.surface);
     subject.file = std::make_unique<FileTriangles>(mesh);
     add_oracles(subject);
     add_views(subject, placement, views);

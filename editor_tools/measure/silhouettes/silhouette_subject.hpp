@@ -23,6 +23,7 @@ struct SilhouettePlacement {
 struct SilhouetteViews {
     int around = 26;
     int random = 0;
+    std::uint32_t seed = 20011;  ///< Of the random ones.
     bool is_orthographic = false;
 };
 
@@ -35,6 +36,7 @@ struct SilhouetteSubject {
     std::unique_ptr<SilhouetteOracle> surface_oracle;  ///< Of the welded and repaired surface.
     std::vector<Viewpoint> views;                      ///< In object space, as a frame gets them.
     std::vector<std::vector<OracleEdge>> of_file;      ///< For each view, of the file's positions.
+    std::vector<std::vector<OracleEdge>> edge_on;      ///< For each view, the file's edges that are open from there.
     std::vector<OracleEdge> changed;                   ///< Of the file's positions: edges that repair changed.
     std::vector<std::vector<OracleEdge>> of_surface;   ///< For each view, of the surface's positions.
     double preprocess_s = 0.0;                         ///< Without clusters.
