@@ -180,8 +180,10 @@ std::vector<std::string> CommandLine::given(const std::vector<std::string>& but)
         if (option->count() == 0 || std::find(but.begin(), but.end(), name) != but.end()) continue;
         const bool is_option = option->nonpositional();
         std::vector<std::string>& list = is_option ? options : words;
-        if (is_option) list.push_back(name);
-        if (option->get_type_size_max() == 0) continue;  // a flag
+        const bool is_flag = option->get_expected_max() == 0;
+        const bool is_denied = is_flag && option->results().back() != "true";  // --sweep=false
+        if (is_option) list.push_back(is_denied ? name + "=" + option->results().back() : name);
+        if (is_flag) continue;
         const char separator = option->get_delimiter();
         if (separator == '\0')
             list.insert(list.end(), option->results().begin(), option->results().end());

@@ -59,7 +59,8 @@ class CommandLine {
     void callback(const std::function<void()>& run);  ///< Called when the whole command line has been read.
 
     /// The words that led here and what was given to this command, in that order: "hatchway", "measure", "pvs",
-    /// "hall.glb", "--rays", "1000". Words by their place come before options; `but` are left out with their values.
+    /// "hall.glb", "--rays", "1000", "--sweep". Words by their place come before options; `but` are left out with their
+    /// values.
     std::vector<std::string> given(const std::vector<std::string>& but) const;
 
  private:

@@ -41,6 +41,18 @@ const Row* row_of(const JsonTable& table, const std::map<std::string, std::strin
     return nullptr;
 }
 
+/// A number, or null for what nothing was measured of.
+bool is_figure(const JsonCell& cell)
+{
+    return std::holds_alternative<double>(cell) || std::holds_alternative<std::monostate>(cell);
+}
+
+std::string figure_text(const JsonCell& cell, double factor, const std::string& format)
+{
+    const double* number = std::get_if<double>(&cell);
+    return number ? fmt::format(fmt::runtime("{:" + format + "}"), *number * factor) : "-";
+}
+
 }  // namespace
 
 std::string fill_figures(const std::string& text, const std::string& page, const std::filesystem::path& report)
@@ -56,12 +68,11 @@ std::string fill_figures(const std::string& text, const std::string& page, const
         if (!tables.contains(key)) tables[key] = read_json_table(report / (figure[1].str() + ".json"), rows);
         const Row* row = row_of(tables.at(key), conditions_in(figure[3]));
         const auto cell = row == nullptr ? Row::const_iterator() : row->find(figure[4]);
-        const double* number = row == nullptr || cell == row->end() ? nullptr : std::get_if<double>(&cell->second);
-        if (number == nullptr) throw Error({.what = "no such figure: " + place.substr(5), .file = page});
+        if (row == nullptr || cell == row->end() || !is_figure(cell->second))
+            throw Error({.what = "no such figure: " + place.substr(5), .file = page});
         const double factor = figure[5].matched ? std::stod(figure[5]) : 1.0;
         filled.append(text, done, static_cast<std::size_t>(figure.position()) - done);
-        filled +=
-            place + "-->" + fmt::format(fmt::runtime("{:" + figure[6].str() + "}"), *number * factor) + "<!--@-->";
+        filled += place + "-->" + figure_text(cell->second, factor, figure[6]) + "<!--@-->";
         done = static_cast<std::size_t>(figure.position() + figure.length());
     }
     filled.append(text, done);

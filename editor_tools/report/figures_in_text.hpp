@@ -13,6 +13,8 @@ namespace hw {
 /// array PART instead of "rows". The row is the first whose columns have these texts; without any, the figure is one of
 /// the plain members. FACTOR multiplies it, FORMAT is that of a number, such as ".2f".
 ///
+/// Where the result has null there, since nothing was measured, the figure is a dash.
+///
 /// Throws hw::Error that names `page` and the figure when there is no such file, row, column or format.
 std::string fill_figures(const std::string& text, const std::string& page, const std::filesystem::path& report);
 

@@ -40,12 +40,17 @@ void run_measure(const ReportSection& section, const fs::path& json)
     line.run(words);
 }
 
+fs::path json_of(const ReportSection& section, const ReportArguments& arguments)
+{
+    return arguments.out / kResults / (section.name + ".json");
+}
+
 MeasuredSection measured(const ReportSection& section, const ReportArguments& arguments)
 {
-    const fs::path json = arguments.out / kResults / (section.name + ".json");
+    const fs::path json = json_of(section, arguments);
     MeasuredSection result{section, {}, {}, ""};
     try {
-        if (!arguments.is_reused) run_measure(section, json);
+        if (!arguments.is_reused && !section.arguments.empty()) run_measure(section, json);
         result.table = read_json_table(json);
         if (text_in(result.table.facts, "origin.commit") == "-")
             throw Error({.what = "does not say what was measured where", .file = json.string()});
@@ -97,6 +102,7 @@ void write_report(const ReportArguments& arguments)
     for (const ReportSection& section : plan) {
         const auto& only = arguments.only;
         if (!only.empty() && std::find(only.begin(), only.end(), section.name) == only.end()) continue;
+        if (section.arguments.empty() && !fs::exists(json_of(section, arguments))) continue;
         sections.push_back(measured(section, arguments));
     }
     const fs::path page = arguments.out / "index.html";
@@ -113,7 +119,8 @@ void add_report_command(CommandLine app)
     CommandLine command =
         app.add_subcommand("report", "Runs the measurements and makes one page of time against error");
     command.add_option("--out", arguments->out, "An existing folder for index.html and results/*.json").required();
-    command.add_option("--data", arguments->data, "A folder with models/*.glb and scenes/*.glb to measure, too");
+    command.add_option("--data", arguments->data,
+                       "A folder with models/*.glb, scenes/*.glb and hard/*.glb to measure, too");
     command.add_option("--only", arguments->only, "Names of sections; default: all");
     command.add_option("--fill", arguments->pages, "A folder of Markdown pages whose figures are written anew");
     command.add_flag("--reuse", arguments->is_reused, "Make the page from the JSON files that are there");

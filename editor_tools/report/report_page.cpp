@@ -42,11 +42,18 @@ std::string table_of(const JsonTable& table)
     return html + "</table>\n";
 }
 
+/// What a result says of its origin: the command, then all else that it has.
 std::string origin_html(const std::map<std::string, JsonCell>& facts)
 {
-    const auto fact = [&](const char* name) { return escaped(text_in(facts, std::string("origin.") + name)); };
-    return fmt::format("<pre>{}</pre>\n<p>Hatchway {}, commit {}; {}, {} threads; {}</p>\n", fact("command"),
-                       fact("version"), fact("commit"), fact("processor"), fact("threads"), fact("date"));
+    const std::string origin = "origin.";
+    std::string html = "<pre>" + escaped(text_in(facts, origin + "command")) + "</pre>\n<p>";
+    const char* separator = "";
+    for (const auto& [name, cell] : facts) {
+        if (name.rfind(origin, 0) != 0 || name == origin + "command") continue;
+        html += separator + escaped(name.substr(origin.size()) + " " + text_in(facts, name));
+        separator = "; ";
+    }
+    return html + "</p>\n";
 }
 
 std::string section_html(const MeasuredSection& measured)

@@ -1,102 +1,14 @@
 #include "report/report_plan.hpp"
 
-#include <algorithm>
-
 #include "report/hatching_sections.hpp"
+#include "report/other_sections.hpp"
+#include "report/section_arguments.hpp"
+#include "report/silhouette_sections.hpp"
 
 namespace hw {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> models_in(const fs::path& folder)
-{
-    std::vector<std::string> files;
-    std::error_code missing;
-    for (const auto& entry : fs::directory_iterator(folder, missing))
-        if (entry.path().extension() == ".glb") files.push_back(entry.path().string());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second,
-                                const std::vector<std::string>& third = {})
-{
-    first.insert(first.end(), second.begin(), second.end());
-    first.insert(first.end(), third.begin(), third.end());
-    return first;
-}
-
-ReportSection silhouettes_section(const std::vector<std::string>& models)
-{
-    return {
-        .name = "silhouettes",
-        .title = "Silhouettes",
-        .judge =
-            "Rational arithmetic (measure/silhouettes/silhouette_oracle), which shares no code with the search. It "
-            "starts from the imported triangles, equal positions made one, and of triangles with the same corners "
-            "one. An edge of two triangles is a silhouette where both lie on the same side of it in the picture; "
-            "edges of one or of more than two are drawn from everywhere and count nowhere. fp and fn are edges that "
-            "repair left alone, changed_fp and changed_fn those that it changed (stitched, cut, of a needle that "
-            "takes its neighbour's plane: changed_edges). repaired_fp and repaired_fn compare with our surface "
-            "after repair; which of its faces take a neighbour's plane, the engine tells the judge there. Where a "
-            "node is turned and moved, the judge computes in world space without rounding.",
-        .leaves_out =
-            "Preparing a surface (column preprocess_s). Which edges are candidates, for the row of that name: the "
-            "engine says so, and none of them can be missing. Where OpenMesh refuses faces (refused_faces), its "
-            "mesh is another one, and it has no errors. Where float positions collapse so that less than 90 % of "
-            "the faces are left, there is no row.",
-        .says =
-            "Milliseconds to find the silhouette edges from one eye, and the wrong edges against rational "
-            "arithmetic, for every method and precision, at growing offsets from the origin: of the vertices, in "
-            "floats, and of the node, in doubles. OpenMesh goes two ways: a plain loop over edges, and one that "
-            "keeps each face's facing. All have -O3; but our search holds planes of 16 bits and takes AVX2 where "
-            "the processor has it, written by hand (rows \"brute, float\" and \"brute, double\" have neither), and "
-            "OpenMesh's float loops are compiled for every x86-64.",
-        .arguments = joined({"silhouettes"}, models,
-                            {"--views", "10", "--offset", "0,1e3,1e5,1e6", "--node-offset", "1e3,1e5,1e7"}),
-        .plots = {{.title = "Time against wrong edges (all models and offsets)",
-                   .x_column = "ms_median",
-                   .x_label = "median ms for a view",
-                   .y_column = "fp+fn",
-                   .y_label = "false + missing edges, all views",
-                   .series_columns = {"method", "precision"}}}};
-}
-
-ReportSection random_silhouettes_section(const std::string& prism, const fs::path& data, bool is_orthographic)
-{
-    std::vector<std::string> arguments{"silhouettes", prism};
-    if (!data.empty())
-        for (const char* name : {"models/spot.glb", "models/suzanne.glb", "models/teapot_bezier_n20.glb"})
-            arguments.push_back((data / name).string());
-    arguments = joined(std::move(arguments), {"--views", "1", "--random", "1000", "--offset", "0"});
-    if (is_orthographic) arguments.push_back("--orthographic");
-    return {.name = is_orthographic ? "silhouettes_orthographic" : "silhouettes_random",
-            .title = is_orthographic ? "Silhouettes from random directions" : "Silhouettes from random eyes",
-            .judge = "As above.",
-            .leaves_out = "Eyes exactly in the plane of a face: tests have those.",
-            .says = "The same with a thousand random views, in small models also from inside.",
-            .arguments = std::move(arguments),
-            .plots = {}};
-}
-
-ReportSection silhouette_growth_section()
-{
-    return {.name = "silhouette_growth",
-            .title = "Silhouettes of one smooth shape, ever finer",
-            .judge = "As above.",
-            .leaves_out = "Rough meshes, which gain less; preparing a surface. Times are good only of an idle machine.",
-            .says =
-                "Milliseconds of every method by the number of faces; wrong edges as above. The hierarchy's work grows "
-                "with the contour, brute force with the mesh.",
-            .arguments = {"silhouettes", "--smooth", "30000,125000,500000,2000000", "--views", "4", "--offset", "0"},
-            .plots = {{.title = "Time by number of faces",
-                       .x_column = "faces",
-                       .x_label = "faces",
-                       .y_column = "ms_median",
-                       .y_label = "median ms for a view",
-                       .series_columns = {"method", "precision"}}}};
-}
 
 ReportSection frame_section(const std::string& level)
 {
@@ -380,23 +292,22 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
         scenes = joined(std::move(scenes), models_in(data / "scenes"));
     }
     const std::string prism = models.front();
-    std::vector<ReportSection> plan{silhouettes_section(models),
-                                    random_silhouettes_section(prism, data, false),
-                                    random_silhouettes_section(prism, data, true),
-                                    silhouette_growth_section(),
-                                    frame_section(hall),
-                                    bsp_section(scenes),
-                                    pvs_section(scenes),
-                                    visibility_section(hall, data),
-                                    lightmap_section(),
-                                    lines_section(prism, hall, data),
-                                    visible_lines_section(prism, hall, data),
-                                    hatch_section(),
-                                    coherence_section(hall),
-                                    ink_section(content / "maps" / "ink"),
-                                    walk_section(scenes),
-                                    scale_section()};
-    if (!data.empty()) plan.insert(plan.begin() + 8, portals_section(data));
+    std::vector<ReportSection> plan = silhouette_sections(models, data);
+    const auto add = [&](ReportSection section) { plan.push_back(std::move(section)); };
+    add(frame_section(hall));
+    add(bsp_section(scenes));
+    add(pvs_section(scenes));
+    add(visibility_section(hall, data));
+    if (!data.empty()) add(portals_section(data));
+    add(lightmap_section());
+    add(lines_section(prism, hall, data));
+    add(visible_lines_section(prism, hall, data));
+    add(hatch_section());
+    add(coherence_section(hall));
+    add(ink_section(content / "maps" / "ink"));
+    add(walk_section(scenes));
+    add(scale_section());
+    for (ReportSection& section : sections_made_elsewhere()) add(std::move(section));
     return plan;
 }
 

@@ -17,7 +17,8 @@ struct PlotRecipe {
     bool is_joined = false;
 };
 
-/// One measurement of the report: a command line after `hatchway measure`, and what is shown of its rows.
+/// One measurement of the report: a command line after `hatchway measure`, and what is shown of its rows. Without
+/// arguments something else makes its file, and the section is shown where that is there.
 struct ReportSection {
     std::string name;  ///< Of the JSON file, without ending.
     std::string title;
@@ -29,8 +30,8 @@ struct ReportSection {
     std::vector<PlotRecipe> plots;
 };
 
-/// The measurements that are made with what the project itself brings (`content`, its folder), and, when `data` is not
-/// empty, with the models and scenes found in that folder, too.
+/// All sections: the measurements that are made with what the project itself brings (`content`, its folder), and, when
+/// `data` is not empty, with the models and scenes found in that folder, too; then those that are made elsewhere.
 std::vector<ReportSection> report_plan(const std::filesystem::path& content, const std::filesystem::path& data);
 
 }  // namespace hw

@@ -1,7 +1,7 @@
-"""Fuzzes for long with all fuzzers of a build of libFuzzer, at idle priority, and adds what it took to a JSON file.
+"""Fuzzes for long with all fuzzers of a build of libFuzzer, at idle priority, and adds what it took to a JSON file, that of the report where none is named.
 
     cmake --preset fuzz && cmake --build --preset fuzz
-    python3 tests/fuzz/campaign.py build/fuzz docs/report/results/fuzz.json --turn-s 120 --rounds 30
+    python3 tests/fuzz/campaign.py build/fuzz --turn-s 120 --rounds 30
 
 Each fuzzer runs as its test does, but for the time: with its corpus, its words and its limits, of which 30 s per input become 600, since the
 clock says little at idle priority. What fails is kept in found/ of the build folder. An end that is no success counts as a fault, and stays
@@ -16,6 +16,9 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from datetime import date
 from pathlib import Path
+
+
+REPORT = Path(__file__).parents[2] / "docs/report/results/fuzz.json"
 
 
 def fuzzers(build):
@@ -63,7 +66,7 @@ def add(rows, name, took):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("build")
-    arguments.add_argument("json", type=Path)
+    arguments.add_argument("json", type=Path, nargs="?", default=REPORT)
     arguments.add_argument("--turn-s", type=int, default=120)
     arguments.add_argument("--rounds", type=int, default=1)
     options = arguments.parse_args()

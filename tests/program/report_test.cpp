@@ -69,111 +69,6 @@ TEST(report_program, the_page_is_made_of_the_results_and_of_nothing_else)
     EXPECT_TRUE(bytes_of(report.folder().path() / "report/index.html") == bytes_of(kDocs / "report/index.html"));
 }
 
-/// A page without filled figures, code and the targets of links.
-std::string prose_of(std::string page)
-{
-    for (const char* passed :
-         {"<!--@[^>]*-->[^<]*<!--@-->", "```[^]*?```", "`[^`]*`", "\\]\\([^)]*\\)", "\n    [^\n]*"})
-        page = std::regex_replace(page, std::regex(passed), "#");
-    return page;
-}
-
-/// What of a page looks measured and was typed: numbers with a unit of time, size or comparison.
-std::vector<std::string> typed_figures(const std::string& page)
-{
-    const std::string prose = prose_of(page);
-    const std::regex figure(
-        R"((^|[^\w.#])(\d[\d,.]*(e-?\d+)?)\s?(ms|us|ns|s|seconds|minutes|hours|%|times|x|fps|percent|frames|[KMG]i?B)(?=[^\w]|$))");
-    std::vector<std::string> found;
-    for (std::sregex_iterator match(prose.begin(), prose.end(), figure), end; match != end; ++match) {
-        // "3 x 3" is a size.
-        const std::string after = match->suffix().str().substr(0, 2);
-        if ((*match)[4] == "x" && after.size() == 2 && std::isdigit(static_cast<unsigned char>(after[1]))) continue;
-        found.push_back((*match)[2].str() + ' ' + (*match)[4].str());
-    }
-    return found;
-}
-
-/// The parts of a page that tell what was measured.
-std::string measured_parts(const std::string& page)
-{
-    std::string parts;
-    for (const std::string begin : {"\n## Measured\n", "\n## Other implementations\n", "\n**Measured**"})
-        if (const std::size_t at = page.find(begin); at != std::string::npos)
-            parts += page.substr(at, page.find("\n## ", at + 1) - at);
-    return parts;
-}
-
-/// All that is typed in digits, names like F12 apart.
-std::string typed_numbers(const std::string& text)
-{
-    const std::string prose = prose_of(text);
-    const std::regex number(R"((^|[^\w.#])(\d([\d,.]*\d)?(e-?\d+)?))");
-    std::string found;
-    for (std::sregex_iterator match(prose.begin(), prose.end(), number), end; match != end; ++match)
-        found += (found.empty() ? "" : " ") + (*match)[2].str();
-    return found;
-}
-
-std::vector<fs::path> pages_in(const fs::path& folder)
-{
-    std::vector<fs::path> pages;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".md") pages.push_back(entry.path());
-    return pages;
-}
-
-TEST(report_program, documents_hold_no_figure_that_looks_measured_and_was_typed)
-{
-    EXPECT_THAT(
-        typed_figures("takes 12.5 ms, 3x less, 40 % of `7 s`, <!--@a: b .1f-->9 s<!--@-->, 2 GiB and 3 x 3 pixels"),
-        testing::ElementsAre("12.5 ms", "3 x", "40 %", "2 GiB"));
-    // What is set, not measured: limits that tests hold, steps and sizes of a method.
-    const std::map<std::string, std::vector<std::string>> set{
-        {"devices.md", {"30 frames"}},                        // what a walk holds
-        {"drawn_lines.md", {"99.5 %", "99.1 %"}},             // limits of picture_and_drawing_test
-        {"hatching.md", {"6 %", "95 %"}},                     // the largest step of that definition; an interval
-        {"level_files.md", {"2 GiB", "16 MiB"}},              // limits
-        {"light.md", {"8 times"}},                            // samples of the reference
-        {"strangers_files.md", {"2 GB", "64 KiB", "600 s"}},  // limits of the fuzzers
-        {"walking.md", {"120 s", "100 ms"}},                  // ticks, and the longest frame of the random walks
-    };
-    std::vector<fs::path> pages{kDocs.parent_path() / "README.md"};
-    for (const fs::path& folder : {kDocs, kDocs / "method", kDocs / "report"})
-        for (const fs::path& page : pages_in(folder)) pages.push_back(page);
-    EXPECT_GT(pages.size(), 12u);
-    for (const fs::path& page : pages) {
-        const auto known = set.find(page.filename().string());
-        EXPECT_EQ(typed_figures(bytes_of(page)), known == set.end() ? std::vector<std::string>() : known->second)
-            << page;
-    }
-}
-
-TEST(report_program, where_documents_tell_what_was_measured_every_number_is_filled_in_or_known_to_be_set)
-{
-    EXPECT_EQ(typed_numbers("of 1,000 rays 3.5 went on, in `7` rows of <!--@a: b .0f-->9<!--@-->; F12, 1e-6."),
-              "1,000 3.5 1e-6");
-    // By page: sizes of pictures, views and windows, limits of tests, columns. A figure that was measured is none of
-    // them.
-    const std::map<std::string, std::string> set{
-        {"devices.md", "320 200 16 255 5 25 1 256"},
-        {"drawn_lines.md", "4 3.5 1000 99.5 99.4"},
-        {"hatching.md", "3 1 1.5 6 99 5 200 1 5 3 11 90 200 700 45 80 85 85 48 17 17 95 95 1280 720 1 4 0 100 1 0 1 4"},
-        {"light.md", "512 95 8 8 8 8 8 8 4 8 4 0"},
-        {"silhouettes.md", "64 16 10,000 90 100 100"},
-        {"strangers_files.md", "64 600 30"},
-        {"visibility.md", "64 64 1 0.001"},
-        {"visible_lines.md", "1400 900 1.5"},
-        {"walking.md", "1 100 16 0.1"},
-    };
-    for (const fs::path& page : pages_in(kDocs / "method")) {
-        const auto known = set.find(page.filename().string());
-        EXPECT_EQ(typed_numbers(measured_parts(bytes_of(page))), known == set.end() ? "" : known->second) << page;
-    }
-    // Debian, keys, exit codes.
-    EXPECT_EQ(typed_numbers(bytes_of(kDocs.parent_path() / "README.md")), "12 1 9 0 0 1 2");
-}
-
 TEST(report_program, every_committed_result_of_a_measurement_is_of_a_commit_as_it_stands)
 {
     std::size_t results = 0;
@@ -189,6 +84,37 @@ TEST(report_program, every_committed_result_of_a_measurement_is_of_a_commit_as_i
         ++results;
     }
     EXPECT_GT(results, 12u);
+}
+
+TEST(report_program, a_result_that_is_made_elsewhere_has_its_section_where_its_file_is)
+{
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "results");
+    const auto page = [&] {
+        const ProgramResult result = run_program(
+            {"report", "--out", folder.path().string(), "--only", "fuzz", "--only", "devices", "--only", "game_map"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return bytes_of(folder.path() / "index.html");
+    };
+    EXPECT_THAT(page(), testing::Not(testing::HasSubstr("<h2>")));
+    for (const std::string name : {"fuzz", "devices", "game_map"})
+        folder.write("results/" + name + ".json",
+                     R"({"rows": [{"file": "svg", "faults": 77}], "origin": {"commit": ")" + name +
+                         R"(_1", "command": "made by )" + name + R"(", "cpu_s_of_commits": {"abc": 5}}})");
+    const std::string shown = page();
+    for (const std::string name : {"fuzz", "devices", "game_map"})
+        EXPECT_THAT(shown, testing::AllOf(testing::HasSubstr("<pre>made by " + name + "</pre>"),
+                                          testing::HasSubstr("commit " + name + "_1; cpu_s_of_commits.abc 5</p>")));
+    EXPECT_THAT(shown, testing::HasSubstr("<td>77</td>"));
+}
+
+TEST(report_program, where_nothing_was_measured_the_figure_is_a_dash)
+{
+    const ReportFolder report;
+    report.folder().write("report/results/walk.json", R"({"rows": [{"file": "a", "stuck": null}]})");
+    report.folder().write("pages/a.md", "<!--@walk file=a: stuck .0f-->0<!--@-->");
+    ASSERT_EQ(report.fill().exit_code, 0);
+    EXPECT_EQ(bytes_of(report.page("a.md")), "<!--@walk file=a: stuck .0f-->-<!--@-->");
 }
 
 TEST(report_program, a_figure_that_was_typed_is_replaced)
