@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/world/scene_builder.hpp"
 
 namespace hw {
@@ -41,6 +43,11 @@ TEST(bsp_measure, a_whole_tree_has_no_wrong_point_and_no_area_error)
     ASSERT_EQ(built.build.tree.nodes.size(), 1u);
     EXPECT_EQ(measure::misclassified(built.build.tree, kPoints), 0u);
     EXPECT_LT(measure::relative_area_error(built.structure.area_m2, built.build), 1e-12);
+}
+
+TEST(bsp_measure, of_no_area_there_is_no_error)
+{
+    EXPECT_TRUE(std::isnan(measure::relative_area_error(0.0, four_squares_in_one_plane().build)));
 }
 
 std::uint64_t wrong_where_the_plane_looks_the_other_way()

@@ -87,13 +87,6 @@ TEST(slit_scenes, are_seen_and_hidden_as_known_at_every_effort)
     }
 }
 
-/// An eye behind a one-sided wall counts as inside of a wall, where everything is shown and no row is read.
-bool reads_a_row(const Visibility& visibility, const glm::dvec3& eye)
-{
-    const int leaf = leaf_at(visibility.tree, eye);
-    return leaf >= 0 && !visibility.tree.is_solid[static_cast<std::size_t>(leaf)];
-}
-
 TEST(slit_scenes, a_row_that_lost_the_target_shows_up_in_every_scene_whose_eye_reads_a_row)
 {
     int read = 0;
@@ -102,7 +95,7 @@ TEST(slit_scenes, a_row_that_lost_the_target_shows_up_in_every_scene_whose_eye_r
         for (std::uint32_t slot = compiled.visibility.first_slot_of_object[slit.target];
              slot < compiled.visibility.first_slot_of_object[slit.target + 1]; ++slot)
             lose_slot(compiled.visibility, slot);
-        const bool reads = reads_a_row(compiled.visibility, slit.eye);
+        const bool reads = measure::reads_row(slit, compiled.visibility);
         EXPECT_EQ(measure::is_target_shown(slit, compiled.visibility), !reads) << slit.name;
         if (reads) ++read;
     }

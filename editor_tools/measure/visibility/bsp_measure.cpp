@@ -3,13 +3,14 @@
 #include <cmath>
 #include <random>
 
+#include "measure/no_value.hpp"
 #include "measure/visibility/bsp_oracle.hpp"
 
 namespace hw::measure {
 
-std::uint64_t misclassified(const BspTree& tree, std::uint64_t points)
+std::uint64_t misclassified(const BspTree& tree, std::uint64_t points, std::uint32_t seed)
 {
-    std::mt19937_64 engine(1);
+    std::mt19937_64 engine(seed);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::uint64_t wrong = 0;
     for (std::uint64_t i = 0; i < points; ++i) {
@@ -28,12 +29,11 @@ std::uint64_t misclassified(const BspTree& tree, std::uint64_t points)
 
 double relative_area_error(double area_m2, const BspBuild& build)
 {
-    if (area_m2 <= 0.0) return 0.0;
     double sum = 0.0;
     for (const auto& pieces : build.polygons_of_node) {
         for (const BlockingPolygon& piece : pieces) sum += area(piece.polygon);
     }
-    return std::abs(sum * build.tree.grid.step_m * build.tree.grid.step_m / area_m2 - 1.0);
+    return std::abs(share_of(sum * build.tree.grid.step_m * build.tree.grid.step_m, area_m2) - 1.0);
 }
 
 }  // namespace hw::measure

@@ -12,6 +12,7 @@
 #include "hatchway/world/visibility/visibility.hpp"
 #include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/random_seed.hpp"
 #include "measure/visibility/bsp_measure.hpp"
 #include "program/arguments.hpp"
 #include "program/option_rules.hpp"
@@ -23,10 +24,11 @@ namespace {
 struct BspMeasureArguments {
     std::vector<std::filesystem::path> files;
     std::uint64_t points = 1'000'000;
+    std::uint32_t seed = 1;
     MeasureResult result;
 };
 
-JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
+JsonValue measure_file(const std::filesystem::path& file, const BspMeasureArguments& arguments)
 {
     const Level level = read_level(file);
     Scene scene = open_scene(level);
@@ -43,7 +45,8 @@ JsonValue measure_file(const std::filesystem::path& file, std::uint64_t points)
     row.set("file", file.filename().string()).set("seconds", seconds);
     row.set("polygons", stats.structure_polygons + stats.detail_polygons).set("pieces", build.piece_count);
     row.set("leaves", build.tree.leaf_count).set("depth", build.depth);
-    row.set("points", points).set("misclassified", measure::misclassified(build.tree, points));
+    row.set("points", arguments.points);
+    row.set("misclassified", measure::misclassified(build.tree, arguments.points, arguments.seed));
     row.set("relative_area_error", measure::relative_area_error(area_m2, build));
     return row;
 }
@@ -52,7 +55,7 @@ void measure_bsp(const BspMeasureArguments& arguments)
 {
     require_outputs({arguments.result.output()}, arguments.files);
     JsonValue rows = JsonValue::array();
-    for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments.points));
+    for (const std::filesystem::path& file : arguments.files) rows.push(measure_file(file, arguments));
     JsonValue json = JsonValue::object();
     json.set("measure", "bsp").set("rows", std::move(rows));
     arguments.result.write(json);
@@ -68,6 +71,7 @@ void add_measure_bsp(CommandLine measure)
         measure.add_subcommand("bsp", "Seconds, pieces, misclassified points and area error of the BSP");
     command.add_option("files", arguments->files, "Levels or models").required();
     command.add_option("--points", arguments->points, "Points to classify").check(whole_number_in(1, 1'000'000'000));
+    add_seed(command, arguments->seed, "points");
     arguments->result.add_to(command);
     command.callback([arguments] { measure_bsp(*arguments); });
 }

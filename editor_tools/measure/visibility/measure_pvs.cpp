@@ -10,6 +10,7 @@
 #include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/no_value.hpp"
+#include "measure/random_seed.hpp"
 #include "measure/visibility/pvs_measure.hpp"
 #include "measure/visibility/slit_scenes.hpp"
 #include "program/arguments.hpp"
@@ -24,6 +25,7 @@ struct PvsMeasureArguments {
     std::uint64_t rays = 10'000'000;
     std::vector<std::string> efforts{"fast", "full"};
     int threads = 0;
+    std::uint32_t seed = 1;
     MeasureResult result;
 };
 
@@ -73,8 +75,8 @@ void measure_file(const std::filesystem::path& file, const PvsMeasureArguments& 
         if (visibility.stats.structure_polygons + visibility.stats.detail_polygons == 0)
             throw Error(
                 {.what = "has no polygon that hides anything", .file = file.string(), .expected = "opaque faces"});
-        const auto rays =
-            measure::measure_pvs(scene, chunks, visibility, {.rays = arguments.rays, .threads = arguments.threads});
+        const auto rays = measure::measure_pvs(
+            scene, chunks, visibility, {.rays = arguments.rays, .seed = arguments.seed, .threads = arguments.threads});
         if (rays.hits == 0)
             throw Error({.what = "no ray met anything", .file = file.string(), .expected = "opaque faces to be seen"});
         rows.push(row_json(file.filename().string(), effort, visibility, rays));
@@ -82,9 +84,10 @@ void measure_file(const std::filesystem::path& file, const PvsMeasureArguments& 
 }
 
 /// "seen as known", "hidden as known", "shown, hidden is known" or "LOST, seen is known". Only the last one is an
-/// error; rows may show too much.
-std::string slit_verdict(bool is_shown, bool is_seen)
+/// error; rows may show too much. Where the eye counts as inside of a wall, all is shown and nothing is proven.
+std::string slit_verdict(bool is_shown, bool is_seen, bool reads_row)
 {
+    if (!reads_row) return "shown, for no row is read there";
     if (is_shown == is_seen) return is_seen ? "seen as known" : "hidden as known";
     return is_shown ? "shown, hidden is known" : "LOST, seen is known";
 }
@@ -101,11 +104,13 @@ JsonValue measure_slits(const PvsMeasureArguments& arguments)
             options.threads = arguments.threads;
             const Visibility visibility = build_visibility(slit.scene, {}, chunks, options);
             const bool is_shown = measure::is_target_shown(slit, visibility);
-            log_warning(fmt::format("{}: {} ({})", slit.name, slit_verdict(is_shown, slit.is_seen), effort));
+            const bool reads_row = measure::reads_row(slit, visibility);
+            log_warning(fmt::format("{}: {} ({})", slit.name, slit_verdict(is_shown, slit.is_seen, reads_row), effort));
             JsonValue row = JsonValue::object();
             row.set("scene", slit.name).set("effort", effort).set("is_seen", slit.is_seen).set("is_shown", is_shown);
             row.set("is_met_by_exact_ray", measure::is_target_met(slit));
-            row.set("is_lost", slit.is_seen && !is_shown);
+            row.set("reads_row", reads_row);
+            if (reads_row) row.set("is_lost", slit.is_seen && !is_shown);
             rows.push(std::move(row));
         }
     }
@@ -135,6 +140,7 @@ void add_measure_pvs(CommandLine measure)
     command.add_option("--rays", arguments->rays, "Rays for each effort").check(whole_number_in(1, 1'000'000'000));
     command.add_option("--pvs", arguments->efforts, "Efforts to measure").check(one_of(kPvsEfforts)).delimiter(',');
     command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
+    add_seed(command, arguments->seed, "rays");
     arguments->result.add_to(command);
     command.callback([arguments] { measure_pvs_command(*arguments); });
 }

@@ -19,6 +19,7 @@
 #include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
 #include "measure/no_value.hpp"
+#include "measure/random_seed.hpp"
 #include "measure/visibility/sight_measure.hpp"
 #include "measure/walk/walk_places.hpp"
 #include "program/arguments.hpp"
@@ -30,7 +31,6 @@ namespace {
 
 constexpr double kCell_m = 0.5;              // of the places that are told apart
 constexpr std::size_t kMostPlaces = 20'000;  // that a search for them looks at
-constexpr std::uint32_t kSeed = 1;
 constexpr double kFovDeg = 60.0;
 constexpr int kRaysAcross = 2;  // of a pixel of the frames
 
@@ -39,6 +39,7 @@ struct VisibilityMeasureArguments {
     int eyes = 50;
     std::string size = "640x400";
     std::string effort = "full";
+    std::uint32_t seed = 1;
     MeasureResult result;
 };
 
@@ -80,14 +81,14 @@ std::vector<PlayerState> places_in(const Stage& stage, const PlayerBody& body)
     return measure::places_on_foot(walker, starts, kCell_m, kMostPlaces);
 }
 
-/// Looks level in a random direction from places drawn at random, the same ones every time.
+/// Looks level in a random direction from places drawn at random, the same ones for the same seed.
 std::vector<View> views_from(std::vector<PlayerState> places, const PlayerBody& body, const glm::ivec2& size,
-                             std::size_t count, const Box& bounds)
+                             const VisibilityMeasureArguments& arguments, const Box& bounds)
 {
-    std::mt19937 random(kSeed);
+    std::mt19937 random(arguments.seed);
     for (std::size_t i = places.size(); i > 1; --i) std::swap(places[i - 1], places[random() % i]);
     std::vector<View> views;
-    for (std::size_t i = 0; i < std::min(count, places.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(static_cast<std::size_t>(arguments.eyes), places.size()); ++i) {
         const double yaw = 2.0 * std::numbers::pi * static_cast<double>(random()) / 4294967296.0;
         const glm::dvec3 eye = places[i].foot_world + glm::dvec3(0.0, body.eye_m, 0.0);
         const glm::dvec3 ahead(-std::sin(yaw), 0.0, -std::cos(yaw));
@@ -106,8 +107,7 @@ Row measure_file(Context& context, const std::filesystem::path& file, const Visi
     std::vector<PlayerState> places = places_in(stage, body);
     if (places.empty()) throw Error({.what = "no place to stand on was found", .file = file.string()});
     Row row{.file = file.filename().string(), .effort = arguments.effort, .places = places.size()};
-    const std::vector<View> views =
-        views_from(std::move(places), body, size, static_cast<std::size_t>(arguments.eyes), stage.scene().bounds_world);
+    const std::vector<View> views = views_from(std::move(places), body, size, arguments, stage.scene().bounds_world);
     row.eyes = views.size();
     row.compile_s = stage.visibility()->stats.seconds;
     const measure::SightJudge judge(stage.scene(), stage.chunks(), *stage.visibility());
@@ -149,7 +149,8 @@ std::string row_text(const Row& row)
 {
     const measure::SightCounts& c = row.counts;
     return fmt::format(
-        "{}: {} eyes of {} places; drawn {:.1f} % of the triangles in view, needed {:.1f} %; lost {} of {} rays; "
+        "{}: {} eyes of {} places; drawn {:.1f} % of the triangles in view, needed {:.1f} %; lost {} chunks by {} "
+        "rays; "
         "compile {:.2f} s; frame {:.2f} ms, {:.2f} without; {:.4f} % of pixels unlike\n",
         row.file, row.eyes, row.places, 100.0 * share(c.drawn, c.in_view), 100.0 * share(c.needed, c.in_view), c.lost,
         c.rays, row.compile_s, row.with_ms, row.without_ms, 100.0 * row.unlike_share);
@@ -183,6 +184,7 @@ void add_measure_visibility(CommandLine measure)
     command.add_option("--eyes", arguments->eyes, "Eyes in each; 50")
         .option_text("N")
         .check(whole_number_in(1, 10'000));
+    add_seed(command, arguments->seed, "eyes");
     command.add_option("--size", arguments->size, "Size of the frames, 640x400; four rays judge each pixel")
         .option_text("WxH");
     command.add_option("--pvs", arguments->effort, "Effort, full").check(one_of(kPvsEfforts));

@@ -149,6 +149,12 @@ bool is_target_met(const SlitScene& slit)
     return false;
 }
 
+bool reads_row(const SlitScene& slit, const Visibility& visibility)
+{
+    const int leaf = leaf_at(visibility.tree, slit.eye);
+    return leaf >= 0 && !visibility.tree.is_solid[static_cast<std::size_t>(leaf)];
+}
+
 bool is_target_shown(const SlitScene& slit, const Visibility& visibility)
 {
     std::vector<std::uint8_t> is_visible;

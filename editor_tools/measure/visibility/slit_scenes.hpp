@@ -25,6 +25,10 @@ std::vector<SlitScene> slit_scenes();
 /// the second witness of `is_seen` where that is true.
 bool is_target_met(const SlitScene& slit);
 
+/// Whether the eye's place has a row at all: inside of a wall, as which the back of a one-sided one counts, all is
+/// shown.
+bool reads_row(const SlitScene& slit, const Visibility& visibility);
+
 /// What a visibility says: whether the target is drawn for the eye.
 bool is_target_shown(const SlitScene& slit, const Visibility& visibility);
 

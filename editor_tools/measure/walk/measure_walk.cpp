@@ -13,6 +13,7 @@
 #include "hatchway/world/looks.hpp"
 #include "measure/measure_result.hpp"
 #include "measure/measures.hpp"
+#include "measure/random_seed.hpp"
 #include "measure/walk/walk_fuzz.hpp"
 #include "measure/walk/walk_places.hpp"
 #include "program/arguments.hpp"
@@ -28,6 +29,7 @@ struct WalkMeasureArguments {
     std::vector<std::filesystem::path> files;
     std::uint64_t inputs = measure::WalkFuzzOptions{}.inputs;
     std::uint32_t threads = 0;
+    std::uint32_t seed = measure::WalkFuzzOptions{}.seed;
     MeasureResult result;
 };
 
@@ -69,7 +71,8 @@ JsonValue measure_file(const std::filesystem::path& file, const WalkMeasureArgum
     };
     const auto begun = std::chrono::steady_clock::now();
     const WalkCounts counts =
-        fuzz_walk(oracle, walker, body, starts, {.inputs = arguments.inputs, .threads = arguments.threads});
+        fuzz_walk(oracle, walker, body, starts,
+                  {.inputs = arguments.inputs, .threads = arguments.threads, .seed = arguments.seed});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const std::string name = file.filename().string();
     tell_faults(name, counts);
@@ -107,6 +110,7 @@ void add_measure_walk(CommandLine measure)
     command.add_option("--inputs", arguments->inputs, "Random inputs in each scene, held for 1 to 4 frames")
         .check(whole_number_in(1, 1'000'000'000));
     command.add_option("-j,--threads", arguments->threads, "Threads; 0 for all").check(whole_number_in(0, 1024));
+    add_seed(command, arguments->seed, "inputs");
     arguments->result.add_to(command);
     command.callback([arguments] { measure_walk(*arguments); });
 }

@@ -37,7 +37,7 @@ class Walk {
           starts_(starts),
           options_(options),
           number_(number),
-          hands_(number + 1),
+          hands_((options.seed - 1) * options.walks + number + 1),
           flies_(options.flying > 0 && number % options.flying == options.flying - 1),
           scale_(body.eye_m / PlayerBody{}.eye_m)
     {

@@ -20,6 +20,7 @@ struct WalkFuzzOptions {
     double freedom_m = 0.5;     ///< Who gets so far away is not stuck.
     std::uint32_t flying = 8;   ///< Every so many walks also flies, and drops where it is.
     std::uint32_t threads = 0;  ///< 0: all.
+    std::uint32_t seed = 1;     ///< From 1. Another one draws other inputs for every walk.
 };
 
 /// Something that a walker did and must not do.
