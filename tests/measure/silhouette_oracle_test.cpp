@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <set>
+
 #include "measure/silhouettes/file_triangles.hpp"
 #include "tests/geometry/test_meshes.hpp"
 
@@ -11,9 +14,12 @@ namespace {
 
 constexpr glm::dmat4 kHere(1.0);
 
+/// Edges by their places, since numbers follow the order of the file.
+using EdgeSet = std::set<std::set<std::array<float, 3>>>;
+
 struct Seen {
-    std::vector<OracleEdge> silhouettes;
-    std::vector<OracleEdge> edge_on;
+    EdgeSet silhouettes;
+    EdgeSet edge_on;
 };
 
 Seen seen_from(const MeshData& mesh, const glm::dvec3& eye)
@@ -21,7 +27,15 @@ Seen seen_from(const MeshData& mesh, const glm::dvec3& eye)
     const FileTriangles file(mesh);
     const SilhouetteOracle oracle(file.positions(), file.faces(), SilhouetteOracle::Arithmetic::filtered, {},
                                   SilhouetteOracle::Winding::says_nothing);
-    return {oracle.silhouettes_in_world(eye, kHere), oracle.edge_on_in_world(eye, kHere)};
+    const auto places = [&](const std::vector<OracleEdge>& edges) {
+        EdgeSet set;
+        for (const auto& [a, b] : edges) {
+            const glm::vec3 &p = file.positions()[a], &q = file.positions()[b];
+            set.insert({{p.x, p.y, p.z}, {q.x, q.y, q.z}});
+        }
+        return set;
+    };
+    return {places(oracle.silhouettes_in_world(eye, kHere)), places(oracle.edge_on_in_world(eye, kHere))};
 }
 
 MeshData with_first_faces_turned(MeshData mesh, std::size_t count)
