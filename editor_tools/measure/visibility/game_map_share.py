@@ -139,9 +139,8 @@ def our_triangles(program, model, views):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("program", "map", "model"):
+    for name in ("program", "map", "model", "json"):
         arguments.add_argument(name, type=Path)
-    arguments.add_argument("json", type=Path, nargs="?", help="a file for the result, beside what is printed")
     arguments.add_argument("--eyes", type=int, default=12)
     options = arguments.parse_args()
     game_map = GameMap(lzma.open(options.map).read() if options.map.suffix == ".xz" else options.map.read_bytes())
@@ -153,8 +152,7 @@ def main():
     commit = subprocess.run(["git", "rev-parse", "--short=10", "HEAD"], cwd=Path(__file__).parent, check=True, capture_output=True, text=True)
     command = f"game_map_share.py hatchway {options.map.name} {options.model.name} {options.json.name} --eyes {options.eyes}"
     origin = {"commit": commit.stdout.strip(), "date": date.today().isoformat(), "command": command}
-    if options.json:
-        options.json.write_text(json.dumps({"rows": [row], "origin": origin}, indent=2) + "\n")
+    options.json.write_text(json.dumps({"rows": [row], "origin": origin}, indent=2) + "\n")
 
 
 if __name__ == "__main__":
