@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "hatchway/core/files/files.hpp"
+#include "hatchway/core/unique_names.hpp"
 
 namespace hw {
 namespace {
@@ -56,14 +56,11 @@ class ClassNames {
             const bool is_word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
             plain += is_word ? c : '_';
         }
-        std::string own = plain;
-        for (int number = 2; !taken_.insert(own).second; ++number) own = fmt::format("{}_{}", plain, number);
-        return own;
+        return names_.take(plain);
     }
 
  private:
-    std::set<std::string> taken_{"object", "hidden", "silhouette", "ridge",
-                                 "valley", "border", "artist",     "intersection"};
+    UniqueNames names_{{"object", "hidden", "silhouette", "ridge", "valley", "border", "artist", "intersection"}};
 };
 
 std::string path_text(const std::vector<glm::dvec2>& points, bool is_closed)

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "hatchway/core/log.hpp"
+#include "hatchway/core/unique_names.hpp"
 
 namespace hw {
 namespace {
@@ -52,15 +52,6 @@ Light convert_light(const json& source, const Node& node)
     return light;
 }
 
-/// Cameras are asked for by name, so names must differ.
-std::string unused_name(const std::string& wanted, std::set<std::string>& used)
-{
-    std::string name = wanted.empty() ? "camera" : wanted;
-    for (int number = 2; !used.insert(name).second; ++number)
-        name = fmt::format("{}_{}", wanted.empty() ? "camera" : wanted, number);
-    return name;
-}
-
 }  // namespace
 
 void add_lights(const GltfModel& model, const NodeOrder& order, Scene& scene)
@@ -81,14 +72,15 @@ void add_lights(const GltfModel& model, const NodeOrder& order, Scene& scene)
 
 void add_cameras(const GltfModel& model, const NodeOrder& order, Scene& scene)
 {
-    std::set<std::string> used;
+    UniqueNames names;  // cameras are asked for by name
     for (std::size_t i = 0; i < order.model_nodes.size(); ++i) {
         const int index = model.data.nodes[order.model_nodes[i]].camera;
         if (index < 0) continue;
         const tinygltf::Camera& source = model.data.cameras[index];
         const Node& node = scene.nodes[i];
         Camera camera;
-        camera.name = unused_name(node.name.empty() ? source.name : node.name, used);
+        const std::string& wanted = node.name.empty() ? source.name : node.name;
+        camera.name = names.take(wanted.empty() ? "camera" : wanted);
         camera.eye_world = glm::dvec3(node.world_from_node[3]);
         camera.target_world = camera.eye_world + forward_of(node);
         // As high as the file says; the picture's own shape decides how wide.
