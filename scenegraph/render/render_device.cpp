@@ -20,6 +20,11 @@ void RenderDevice::tell_once(const std::string& text)
     if (told.insert(text).second && !is_rehearsal) log_error(text);
 }
 
+void RenderDevice::warn_once(const std::string& text)
+{
+    if (told.insert(text).second && !is_rehearsal) log_warning(text);
+}
+
 void draw_full_screen(RenderDevice& device, const GpuProgram& program, const Uniforms& uniforms)
 {
     device.state.use(program);

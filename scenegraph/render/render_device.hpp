@@ -19,6 +19,8 @@ struct RenderDevice {
 
     /// Logs a text as an error, once; in a rehearsal only notes it.
     void tell_once(const std::string& text);
+    /// The same as a warning.
+    void warn_once(const std::string& text);
 
     Context& context;
     GpuState state;
@@ -30,7 +32,7 @@ struct RenderDevice {
     OverlayDrawer overlay;
     GpuVertexArray no_vertices;  ///< For full-screen passes.
     GpuBuffer frame_block;       ///< HwFrame of the view that is being drawn.
-    std::set<std::string> told;  ///< By tell_once().
+    std::set<std::string> told;  ///< By tell_once() and warn_once().
     bool is_rehearsal = false;   ///< FrameOptions::is_rehearsal of the frame that is drawn.
 };
 

@@ -1,5 +1,7 @@
 #include "hatchway/render/renderer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -175,7 +177,12 @@ FrameStats Renderer::draw(const View& camera, const FrameOptions& wanted)
     FramePlan plan = plan_frame(scene.input, visible);
     std::vector<WantedImage> images = plan_images(scene, plan, options.shown_image ? &*options.shown_image : nullptr);
     const FrameCost cost = state_->cost_of(visible, images.size(), camera.size_px);
-    if (cost.wants_one_sample()) options.samples = 1;
+    if (cost.wants_one_sample() && options.samples > 1) {
+        device.warn_once(
+            fmt::format("faces lie over each other so often that pictures have one sample for each pixel, not {}",
+                        options.samples));
+        options.samples = 1;
+    }
     FrameView view{camera,
                    options,
                    state_->target_of(camera.size_px, options.samples),

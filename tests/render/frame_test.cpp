@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "hatchway/core/error.hpp"
@@ -116,7 +117,16 @@ TEST_F(frame, a_pile_that_takes_for_ever_is_refused_by_a_software_renderer_and_o
     pile_of(1);
     const Pixels one = draw(view, {.samples = 1});
     pile_of(2000);
-    EXPECT_EQ(one.bytes, draw(view, {.samples = 4}).bytes);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(one.bytes, draw(view, {.samples = 1}).bytes);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "it has what was asked for";
+    testing::internal::CaptureStderr();
+    for (int times = 0; times < 2; ++times) EXPECT_EQ(one.bytes, draw(view, {.samples = 4}).bytes);
+    const std::string told = testing::internal::GetCapturedStderr();
+    if (context_->device().is_software) {
+        EXPECT_THAT(told, testing::HasSubstr("warning: faces lie over each other so often")) << "it is said";
+        EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << "once: " << told;
+    }
     pile_of(6000);
     if (!context_->device().is_software) GTEST_SKIP() << "a graphics card draws it";
     try {
