@@ -40,10 +40,15 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// A polygon from which ears are cut.
+/// A polygon from which ears are cut. What a corner's triangle has been compared with stays compared until one of its
+/// neighbours is cut: at most all concave corners for each corner and for each neighbour of a cut, together a square.
 class Ring {
  public:
-    explicit Ring(std::vector<glm::dvec2> corners) : corners_(std::move(corners)), next_(corners_.size())
+    explicit Ring(std::vector<glm::dvec2> corners)
+        : corners_(std::move(corners)),
+          next_(corners_.size()),
+          is_concave_(corners_.size(), false),
+          compared_(corners_.size(), 0)
     {
         previous_.resize(corners_.size());
         const auto count = static_cast<std::uint32_t>(corners_.size());
@@ -51,6 +56,7 @@ class Ring {
         for (std::uint32_t i = 0; i < count; ++i) previous_[next_[i]] = i;
         for (std::uint32_t i = 0; i < count; ++i)
             if (turn_at(i) <= 0.0) concave_.push_back(i);
+        for (const std::uint32_t i : concave_) is_concave_[i] = true;
     }
     bool is_convex() const { return concave_.empty(); }
 
@@ -75,17 +81,20 @@ class Ring {
     double turn_at(std::uint32_t i) const { return turn(corners_[previous_[i]], corners_[i], corners_[next_[i]]); }
 
     /// Only a concave corner can lie in the way.
-    bool is_ear(std::uint32_t i) const
+    bool is_ear(std::uint32_t i)
     {
         if (turn_at(i) <= 0.0) return false;
         const glm::dvec2& a = corners_[previous_[i]];
         const glm::dvec2& b = corners_[i];
         const glm::dvec2& c = corners_[next_[i]];
-        return std::ranges::none_of(concave_, [&](std::uint32_t other) {
+        const auto is_in_the_way = [&](std::uint32_t other) {
             const glm::dvec2& p = corners_[other];
-            if (p == a || p == b || p == c) return false;
+            if (!is_concave_[other] || p == a || p == b || p == c) return false;
             return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
-        });
+        };
+        std::uint32_t& at = compared_[i];
+        while (at < concave_.size() && !is_in_the_way(concave_[at])) ++at;
+        return at == concave_.size();
     }
 
     /// Takes a corner out and gives the next to look at: two on, so that a round shape is not cut into one long fan.
@@ -95,16 +104,20 @@ class Ring {
         const std::uint32_t after = next_[i];
         next_[before] = after;
         previous_[after] = before;
-        std::erase_if(concave_, [&](std::uint32_t other) {
-            return other == i || ((other == before || other == after) && turn_at(other) > 0.0);
-        });
+        is_concave_[i] = false;
+        for (const std::uint32_t neighbour : {before, after}) {
+            if (turn_at(neighbour) > 0.0) is_concave_[neighbour] = false;
+            compared_[neighbour] = 0;
+        }
         return next_[after];
     }
 
     std::vector<glm::dvec2> corners_;
     std::vector<std::uint32_t> next_;
     std::vector<std::uint32_t> previous_;
-    std::vector<std::uint32_t> concave_;  ///< Or straight; cutting ears never makes a convex corner concave.
+    std::vector<std::uint32_t> concave_;   ///< Or straight, at first; cutting ears never makes a convex corner concave.
+    std::vector<bool> is_concave_;         ///< Still.
+    std::vector<std::uint32_t> compared_;  ///< So many of concave_ are not in the way of a corner's ear.
 };
 
 }  // namespace
