@@ -68,13 +68,17 @@ void FaceTree::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end)
     second_half();
 }
 
-void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found, std::size_t most) const
+std::uint64_t FaceTree::find(const Box& box, std::vector<std::uint32_t>& found, std::size_t most) const
 {
+    constexpr std::uint64_t kLookedAtOfFound = 4;
+    const std::size_t found_before = found.size();
     const std::size_t enough = found.size() + std::min(most, order_.size());
     std::array<std::uint32_t, kMostOpen> open;
     std::size_t count = 0;
     if (!nodes_.empty()) open[count++] = 0;
+    std::uint64_t looked_at = 0;
     while (count > 0 && found.size() < enough) {
+        ++looked_at;
         const std::uint32_t at = open[--count];
         const Node& node = nodes_[at];
         if (!node.box.overlaps(box)) continue;
@@ -83,9 +87,11 @@ void FaceTree::find(const Box& box, std::vector<std::uint32_t>& found, std::size
             open[count++] = node.second;
             continue;
         }
+        looked_at += node.end - node.begin;
         for (std::uint32_t i = node.begin; i < node.end; ++i)
             if (boxes_[order_[i]].overlaps(box)) found.push_back(order_[i]);
     }
+    return found.size() - found_before + looked_at / kLookedAtOfFound;
 }
 
 }  // namespace hw

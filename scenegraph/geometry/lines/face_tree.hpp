@@ -19,9 +19,11 @@ class FaceTree {
 
     const std::vector<Box>& boxes() const { return boxes_; }
 
-    /// Appends the numbers of the boxes that meet `box`, in no order; about `most` where there are more.
-    void find(const Box& box, std::vector<std::uint32_t>& found,
-              std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+    /// Appends the numbers of the boxes that meet `box`, in no order; about `most` where there are more. Returns the
+    /// work of it: one for each box found, and for four looked at, which are many where boxes are long and cross each
+    /// other.
+    std::uint64_t find(const Box& box, std::vector<std::uint32_t>& found,
+                       std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
  private:
     struct Node {

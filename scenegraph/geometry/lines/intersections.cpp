@@ -26,7 +26,8 @@ namespace hw {
 namespace {
 
 constexpr double kOnePlace = 1e-12;  // in sizes of the objects: cuts this short have no length
-// Work of all pairs together: so many boxes found, or fewer where faces ask, are tested and cut each other.
+// Work of all pairs together: so many boxes found, four times as many looked at, or fewer where faces ask, are tested
+// and cut each other.
 constexpr std::uint64_t kMostWork = 400'000'000;
 constexpr std::uint64_t kWorkOfFace = 16, kWorkOfTest = 16, kWorkOfCut = 200;
 constexpr std::size_t kFacesAtOnce = 2048;
@@ -44,7 +45,8 @@ struct Placed {
     std::vector<char> does_meet_component;  ///< For each face, whether its box meets that of another component.
 };
 
-std::vector<char> faces_that_meet_components(const Placed& object)
+/// Those that the work does not reach are taken to meet another.
+std::vector<char> faces_that_meet_components(const Placed& object, std::uint64_t most_work)
 {
     const Surface& surface = *object.surface;
     std::vector<char> result(object.boxes.size(), 0);
@@ -54,15 +56,16 @@ std::vector<char> faces_that_meet_components(const Placed& object)
         boxes[surface.face_component[face]].add(object.boxes[face]);
     const FaceTree components(std::move(boxes));
     std::vector<std::uint32_t> found;
+    std::uint64_t work = 0;
     for (std::size_t face = 0; face < object.boxes.size(); ++face) {
         found.clear();
-        components.find(object.boxes[face], found, 2);
-        result[face] = found.size() > 1;  // one is its own
+        if (work <= most_work) work += components.find(object.boxes[face], found, 2);
+        result[face] = found.size() != 1;  // one is its own
     }
     return result;
 }
 
-Placed placed(const LineObject& object)
+Placed placed(const LineObject& object, std::uint64_t most_work)
 {
     Placed result{.surface = object.surface};
     for (const glm::vec3& p : object.surface->positions)
@@ -74,7 +77,7 @@ Placed placed(const LineObject& object)
         result.box.add(box.min);
         result.box.add(box.max);
     }
-    result.does_meet_component = faces_that_meet_components(result);
+    result.does_meet_component = faces_that_meet_components(result, most_work);
     return result;
 }
 
@@ -117,6 +120,7 @@ class PairCuts {
         std::array<std::vector<std::uint32_t>, 2> near{near_faces(0), is_alone() ? near_faces(0) : near_faces(1)};
         const int side = near[0].size() <= near[1].size() ? 0 : 1;
         const std::vector<std::uint32_t>& asking = near[side];
+        if (has_given_up()) return {};
         std::vector<std::vector<Cut>> parts((asking.size() + kFacesAtOnce - 1) / kFacesAtOnce);
         tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
             const std::size_t first = i * kFacesAtOnce;
@@ -135,13 +139,12 @@ class PairCuts {
     const Box& box(int side, std::uint32_t face) const { return objects_[side]->faces->boxes()[face]; }
 
     /// The faces of one side that may meet the other: of an object alone those that come near another component.
-    std::vector<std::uint32_t> near_faces(int side) const
+    std::vector<std::uint32_t> near_faces(int side)
     {
         std::vector<std::uint32_t> near;
-        objects_[side]->faces->find(objects_[1 - side]->box, near);
+        work_ += objects_[side]->faces->find(objects_[1 - side]->box, near);
         if (is_alone())
             std::erase_if(near, [&](std::uint32_t face) { return !objects_[0]->does_meet_component[face]; });
-        std::sort(near.begin(), near.end());
         return near;
     }
 
@@ -153,8 +156,7 @@ class PairCuts {
         for (const std::uint32_t face : faces) {
             if (has_given_up()) break;
             met.clear();
-            objects_[1 - side]->faces->find(box(side, face), met, most_work_);
-            std::uint64_t work = kWorkOfFace + met.size();
+            std::uint64_t work = kWorkOfFace + objects_[1 - side]->faces->find(box(side, face), met, most_work_);
             for (const std::uint32_t other : met) {
                 if (is_alone() && component(face) >= component(other)) continue;
                 const auto cut = side == 0 ? cut_of(face, other) : cut_of(other, face);
@@ -431,7 +433,8 @@ std::vector<IntersectionLine> find_intersections(std::span<const LineObject> obj
         return {};
     }
     std::vector<Placed> world(objects.size());
-    tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) { world[i] = placed(objects[i]); });
+    tbb::parallel_for(std::size_t{0}, objects.size(),
+                      [&](std::size_t i) { world[i] = placed(objects[i], kMostWork / objects.size()); });
     std::uint64_t left_out = 0;
     const std::vector<Pair> pairs = meeting_pairs(objects, world, left_out);
     grow_trees(world, pairs);
@@ -440,6 +443,10 @@ std::vector<IntersectionLine> find_intersections(std::span<const LineObject> obj
     std::uint32_t first_joint = 0;
     std::uint64_t work_left = kMostWork;
     for (std::size_t first = 0; first < pairs.size(); first += kPairsAtOnce) {
+        if (work_left < kWorkOfCut) {
+            left_out += pairs.size() - first;
+            break;
+        }
         const auto some = std::span(pairs).subspan(first, std::min(kPairsAtOnce, pairs.size() - first));
         const CutsAtOnce found = cuts_of(world, some, work_left);
         for (std::size_t i = 0; i < some.size(); ++i) {

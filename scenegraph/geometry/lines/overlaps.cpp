@@ -99,8 +99,7 @@ std::vector<Interval> Overlaps::covered(const Way& way, const glm::dvec3& shift,
         box.add(end + glm::dvec3(tolerance));
     }
     std::vector<std::uint32_t> found;
-    tree_.find(box, found);
-    looked_at += found.size();
+    looked_at += tree_.find(box, found);
     std::vector<Interval> parts;
     for (const std::uint32_t id : found) {
         const Triangle& triangle = triangles_[id];
@@ -141,8 +140,9 @@ std::uint64_t Overlaps::find(const glm::dvec3& from, const glm::dvec3& to, std::
         const Way way{from, to, style, faces.size()};
         const std::vector<Interval> beyond = covered(way, -inward, face.normal, looked_at);
         if (beyond.empty()) continue;
+        const std::vector<Interval> within = covered(way, inward, face.normal, looked_at);
         for (const Interval& outer : beyond)
-            for (const Interval& inner : covered(way, inward, face.normal, looked_at)) {
+            for (const Interval& inner : within) {
                 const Interval both{std::max(outer.from, inner.from), std::min(outer.to, inner.to)};
                 if (both.from < both.to) parts.push_back({both.from * length, both.to * length});
             }
