@@ -143,7 +143,9 @@ LightScene::LightScene(const Scene& scene, std::span<const Light> lights, std::s
             box.add(glm::dvec3(matrix * glm::dvec4(glm::dvec3(position), 1.0)));
     }
     if (!box.is_empty()) origin_world_ = box.centre();
-    clearance_m_ = static_cast<float>(kClearanceShare * (box.is_empty() ? 1.0 : 0.5 * glm::length(box.size())));
+    const double radius_m = box.is_empty() ? 1.0 : 0.5 * glm::length(box.size());
+    lamps_ = LampChoice(lights, 0.5 * radius_m);
+    clearance_m_ = static_cast<float>(kClearanceShare * radius_m);
 
     rays_->device = rtcNewDevice(nullptr);
     if (!rays_->device) throw Error({.what = "Embree does not start", .fault = Fault::device});

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "hatchway/world/light/lamp_choice.hpp"
 #include "hatchway/world/scene.hpp"
 
 namespace hw {
@@ -32,8 +33,7 @@ struct Emitter {
 /// The scene must outlive it.
 class LightScene {
  public:
-    /// Of the lights only where they stand counts: what is closed around one, or around an eye, is a room
-    /// (find_open_backs()).
+    /// `lights`: those of LightSources. What is closed around one, or around an eye, is a room (find_open_backs()).
     explicit LightScene(const Scene& scene, std::span<const Light> lights = {},
                         std::span<const glm::dvec3> eyes_world = {});
     ~LightScene();
@@ -53,6 +53,7 @@ class LightScene {
     /// Light reaches the backs of its faces (find_open_backs()).
     bool is_double_sided(ObjectId object) const;
 
+    const LampChoice& lamps() const { return lamps_; }
     std::span<const Emitter> emitters() const { return emitters_; }
     /// Density over area with which a point of this object is chosen when emitters are chosen by power, 1/m^2.
     float emitter_density(ObjectId object) const;
@@ -67,6 +68,7 @@ class LightScene {
     std::vector<bool> open_backs_;  // of each object
     glm::dvec3 origin_world_{0.0};
     float clearance_m_ = 0.0f;
+    LampChoice lamps_;
     std::vector<Emitter> emitters_;
     std::vector<float> mean_emission_;  // of each material, luminance
     std::unique_ptr<Rays> rays_;

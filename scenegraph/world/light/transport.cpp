@@ -14,7 +14,9 @@ namespace {
 
 constexpr int kSureBounces = 2;  // after these a path goes on by chance
 constexpr int kMaxBounces = 64;
-constexpr float kBeforeLight = 0.9999f;  // shadow rays end a little before what they aim at
+constexpr std::size_t kAsked = LampChoice::kMostAsked;
+constexpr std::uint32_t kRaysToMany = 8;  // shadow rays of a place where not every lamp gets one
+constexpr float kBeforeLight = 0.9999f;   // shadow rays end a little before what they aim at
 
 /// Numbers of the sequences of one sample: a path's step takes a block of its own.
 enum Dimension : std::uint32_t { direction_of_path, emitter_point, lamp_point, choice, count_per_step };
@@ -36,9 +38,15 @@ class Path {
     LightEstimate estimate(const LightReceiver& receiver) const;
 
  private:
-    glm::vec3 from_lamps(const LightReceiver& place, int step) const;
+    glm::vec3 from_lamps(const LightReceiver& place) const;
     glm::vec3 from_lamp(const Light& light, const LightReceiver& place, const glm::vec2& on_lamp) const;
-    glm::vec3 from_one_lamp(const LightReceiver& place, int step) const;
+    glm::vec3 from_one_lamp(const LightReceiver& place, const glm::vec2& choice, const glm::vec2& on_lamp) const;
+    std::size_t asked_lamps() const { return scene_.lamps().asks_all() ? sources_.lights.size() : kAsked; }
+    LampChoice::Asked asked_lamp(std::size_t index, float share) const
+    {
+        const auto number = static_cast<std::uint32_t>(index);
+        return scene_.lamps().asks_all() ? LampChoice::Asked{number, 1.0f} : scene_.lamps().asked(number, share);
+    }
     glm::vec3 from_emitters(const LightReceiver& place, int step) const;
     glm::vec3 from_sky(const glm::vec3& direction) const
     {
@@ -88,37 +96,48 @@ glm::vec3 Path::from_lamp(const Light& light, const LightReceiver& place, const 
     return scene_.is_blocked(from, way / length, end) ? glm::vec3(0.0f) : lux;
 }
 
-glm::vec3 Path::from_lamps(const LightReceiver& place, int step) const
+/// At the path's beginning: all lamps, or of many some, each choice with other numbers.
+glm::vec3 Path::from_lamps(const LightReceiver& place) const
 {
+    const auto shifted = [&](std::uint32_t i, std::uint32_t dimension) {
+        return glm::fract(number(sample_, 0, dimension) + number({0, sample_.seed + i}, 0, dimension));
+    };
     glm::vec3 sum(0.0f);
-    for (std::size_t i = 0; i < sources_.lights.size(); ++i) {
-        const glm::vec2 shift = number({0, sample_.seed + static_cast<std::uint32_t>(i)}, step, lamp_point);
-        const glm::vec2 on_lamp = glm::fract(number(sample_, step, lamp_point) + shift);
-        sum += from_lamp(sources_.lights[i], place, on_lamp);
+    if (scene_.lamps().asks_all()) {
+        for (std::uint32_t i = 0; i < sources_.lights.size(); ++i)
+            sum += from_lamp(sources_.lights[i], place, shifted(i, lamp_point));
+        return sum;
     }
-    return sum;
+    for (std::uint32_t i = 0; i < kRaysToMany; ++i)
+        sum += from_one_lamp(place, shifted(i, choice), shifted(i, lamp_point));
+    return sum / static_cast<float>(kRaysToMany);
 }
 
-/// One light, chosen by what it would give here: enough where the path comes only now and then.
-glm::vec3 Path::from_one_lamp(const LightReceiver& place, int step) const
+/// One light of those asked, chosen by what it would give here: enough where the path comes only now and then. Where
+/// not all are asked, source: Talbot, Cline, Egbert. Importance Resampling for Global Illumination. EGSR 2005.
+glm::vec3 Path::from_one_lamp(const LightReceiver& place, const glm::vec2& choice, const glm::vec2& on_lamp) const
 {
-    float total = 0.0f;
     glm::vec3 to_light;
     float distance = 0.0f;
-    for (const Light& light : sources_.lights) total += luminance_of(unshadowed(light, place, to_light, distance));
+    const auto gives = [&](const LampChoice::Asked& lamp) {
+        return lamp.stands_for * luminance_of(unshadowed(sources_.lights[lamp.light], place, to_light, distance));
+    };
+    float total = 0.0f;
+    for (std::size_t i = 0; i < asked_lamps(); ++i) total += gives(asked_lamp(i, choice.y));
     if (!(total > 0.0f)) return glm::vec3(0.0f);
-    float left = number(sample_, step, choice).x * total;
-    const Light* chosen = nullptr;
+    float left = choice.x * total;
+    LampChoice::Asked chosen;
     float share = 0.0f;
-    for (const Light& light : sources_.lights) {
-        const float own = luminance_of(unshadowed(light, place, to_light, distance));
+    for (std::size_t i = 0; i < asked_lamps(); ++i) {
+        const LampChoice::Asked lamp = asked_lamp(i, choice.y);
+        const float own = gives(lamp);
         if (own <= 0.0f) continue;
-        chosen = &light;
+        chosen = lamp;
         share = own / total;
         left -= own;
         if (left < 0.0f) break;
     }
-    return from_lamp(*chosen, place, number(sample_, step, lamp_point)) / share;
+    return from_lamp(sources_.lights[chosen.light], place, on_lamp) * chosen.stands_for / share;
 }
 
 glm::vec3 Path::from_emitters(const LightReceiver& place, int step) const
@@ -153,7 +172,7 @@ glm::vec3 Path::from_emitters(const LightReceiver& place, int step) const
 LightEstimate Path::estimate(const LightReceiver& receiver) const
 {
     LightEstimate result;
-    result.illuminance = from_lamps(receiver, 0) + from_emitters(receiver, 0);
+    result.illuminance = from_lamps(receiver) + from_emitters(receiver, 0);
     glm::vec3 carried(1.0f);  // what illuminance at the path's end adds at its beginning
     LightReceiver place = receiver;
     for (int step = 0; step < kMaxBounces; ++step) {
@@ -181,7 +200,9 @@ LightEstimate Path::estimate(const LightReceiver& receiver) const
         if (!(number(sample_, step, choice).y < chance)) break;
         if (chance < 1.0f) carried /= chance;
         place = {hit->position, hit->normal, hit->normal};
-        result.illuminance += carried * (from_one_lamp(place, step + 1) + from_emitters(place, step + 1));
+        const glm::vec3 from_lamp =
+            from_one_lamp(place, number(sample_, step + 1, choice), number(sample_, step + 1, lamp_point));
+        result.illuminance += carried * (from_lamp + from_emitters(place, step + 1));
     }
     return result;
 }

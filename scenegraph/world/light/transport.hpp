@@ -35,11 +35,12 @@ struct LightSampleId {
     std::uint32_t seed = 0;   ///< Of the place.
 };
 
-/// One sample of the illuminance: every sun, point and spot light through one shadow ray to its surface; emissive
-/// triangles by one point chosen by power and by the path itself, weighed against each other; sky and light sent back
-/// by matte surfaces along one path of cosine-weighted directions, ended at random when it carries little. Its mean
-/// over samples is the illuminance. Depends on the arguments alone. Source: Veach. Robust Monte Carlo Methods for Light
-/// Transport Simulation. Stanford 1997, chapters 9 and 10.
+/// One sample of the illuminance: every sun, point and spot light through one shadow ray to its surface, or, of more
+/// than LampChoice::kMostAsked, some that are chosen by what they would give here; emissive triangles by one point
+/// chosen by power and by the path itself, weighed against each other; sky and light sent back by matte surfaces along
+/// one path of cosine-weighted directions, ended at random when it carries little. Its mean over samples is the
+/// illuminance. Depends on the arguments alone. Source: Veach. Robust Monte Carlo Methods for Light Transport
+/// Simulation. Stanford 1997, chapters 9 and 10.
 LightEstimate sample_light(const LightScene& scene, const LightSources& sources, const LightReceiver& receiver,
                            const LightSampleId& sample);
 

@@ -12,6 +12,7 @@
 #include "hatchway/io/compiled/lightmap_bytes.hpp"
 #include "hatchway/world/light/bake.hpp"
 #include "hatchway/world/light/charts.hpp"
+#include "hatchway/world/light/lamp_choice.hpp"
 #include "hatchway/world/light/layout.hpp"
 #include "hatchway/world/light/pack.hpp"
 #include "hatchway/world/light/random.hpp"
@@ -361,6 +362,40 @@ TEST(baked_light, a_light_in_a_faces_plane_gives_it_nothing)
     sources.lights = {lamp_at({1.0, 0.0, 1.0}), sun_along({1.0, 0.0, 0.2})};
     const Lightmap lightmap = bake_lightmap(scene, sources, kQuick);
     for (std::uint32_t i = 0; i < lightmap.luxels.size(); ++i) EXPECT_EQ(luxel_illuminance(lightmap, i).g, 0.0f);
+}
+
+/// Of few lamps each is asked, of many some: they have to give what all do.
+TEST(baked_light, of_many_lamps_is_that_of_their_parts)
+{
+    Scene scene = scene_of(grid_mesh(1, 6.0));
+    add_box(scene, add_material(scene, 0.5f), {{2, 0, 2}, {3, 1, 3}});
+    std::vector<Light> lamps;
+    for (std::uint32_t i = 0; i < 2 * LampChoice::kMostAsked; ++i) {
+        const glm::vec2 place = 6.0f * sample_2d(i, 0, 1);
+        lamps.push_back(lamp_at({place.x, 0.5 + 0.02 * i, place.y}));
+        lamps.back().intensity *= i % 8 == 0 ? 10.0f : 0.1f;
+    }
+    lamps.push_back(sun_along({0.2, -1.0, 0.1}));
+    const auto baked = [&](std::size_t first, std::size_t end) {
+        LightSources sources;
+        sources.lights.assign(lamps.begin() + first, lamps.begin() + end);
+        return bake_lightmap(scene, sources, {.luxels_per_m = 2.0, .samples = 512});
+    };
+    const Lightmap all = baked(0, lamps.size());
+    double error = 0.0, total = 0.0;
+    std::vector<double> sums(all.luxels.size(), 0.0);
+    for (std::size_t first = 0; first < lamps.size(); first += LampChoice::kMostAsked) {
+        const Lightmap part = baked(first, std::min(lamps.size(), first + LampChoice::kMostAsked));
+        for (std::uint32_t i = 0; i < sums.size(); ++i) sums[i] += luxel_illuminance(part, i).g;
+    }
+    for (std::uint32_t i = 0; i < sums.size(); ++i) {
+        error += std::abs(luxel_illuminance(all, i).g - sums[i]);
+        total += sums[i];
+    }
+    EXPECT_GT(total, 0.0);
+    EXPECT_LT(error / total, 0.03);
+    const Lightmap again = baked(0, lamps.size());
+    EXPECT_EQ(all.luxels, again.luxels);
 }
 
 TEST(baked_light, a_double_sided_sheet_has_light_of_its_own_on_each_side)
