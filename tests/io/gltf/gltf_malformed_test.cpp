@@ -7,6 +7,7 @@
 #include "hatchway/core/files/files.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/io/gltf/import.hpp"
+#include "hatchway/io/images/images.hpp"
 #include "tests/io/expect_error.hpp"
 #include "tests/io/gltf/model_builder.hpp"
 #include "tests/shared_data.hpp"
@@ -96,6 +97,8 @@ TEST(gltf_malformed, views_and_accessors_stay_inside_of_their_bytes)
     EXPECT_EQ(error_of_change("/accessors/0/type", "VEC4").pointer, "/accessors/0");
     EXPECT_EQ(error_of_change("/bufferViews/0/byteLength", 35).pointer, "/accessors/0") << "one byte short";
     EXPECT_EQ(error_of_change("/bufferViews/1/byteLength", 5).pointer, "/accessors/1") << "one byte short";
+    EXPECT_EQ(error_of_change("/bufferViews/1/byteLength", 7).pointer, "/bufferViews/1/byteLength")
+        << "one byte more than there are";
 }
 
 TEST(gltf_malformed, huge_counts_are_refused_before_anything_is_allocated)
@@ -120,6 +123,28 @@ TEST(gltf_malformed, primitives_that_unpack_a_few_bytes_to_millions_of_vertices_
     EXPECT_EQ(parts.pointer, "/meshes/8/primitives/0");
     EXPECT_THAT(parts.what, testing::HasSubstr("0 bytes unpack to"));
     EXPECT_THAT(parts.expected, testing::HasSubstr("--budget-factor"));
+}
+
+TEST(gltf_malformed, images_that_unpack_a_few_bytes_to_many_pixels_are_refused)
+{
+    const TemporaryFolder folder;
+    constexpr int kSide = 4096;  // four of them are as many pixels as any scene may have
+    hw::write_png(folder.path() / "white.png",
+                  {.width = kSide, .height = kSide, .channels = 1, .bytes = std::vector<std::uint8_t>(kSide * kSide)});
+    ModelBuilder builder = triangle_model();
+    for (int i = 0; i < 6; ++i) {
+        builder.push("images", {{"uri", "white.png"}});
+        builder.push("textures", {{"source", i}});
+    }
+    json& primitives = builder.json["meshes"][0]["primitives"];
+    for (int i = 0; i < 6; ++i) {
+        builder.push("materials", {{"emissiveTexture", {{"index", i}}}});
+        primitives.push_back(primitives[0]);
+        primitives.back()["material"] = i;
+    }
+    const fs::path file = folder.write("model.glb", builder.glb());
+    const hw::ErrorParts parts = error_of([&] { hw::import_gltf(file, folder.path()); });
+    EXPECT_THAT(parts.file, testing::HasSubstr("/images/4"));
 }
 
 TEST(gltf_malformed, an_index_beyond_the_vertices_is_refused)
