@@ -243,6 +243,43 @@ TEST_F(endless, a_mesh_that_nodes_repeat)
     EXPECT_NE(run({"check", file}).err.find("--budget-factor"), std::string::npos) << "how to raise it is said";
 }
 
+TEST_F(endless, cameras_of_one_name)
+{
+    json nodes(20'000, {{"camera", 0}});
+    nodes.push_back({{"mesh", 0}});
+    ModelBuilder builder;
+    builder.push("meshes", {{"primitives", {{{"attributes", {{"POSITION", builder.add_positions(box(0.5f))}}}}}}});
+    builder.push("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}});
+    builder.json["nodes"] = nodes;
+    EXPECT_EQ(run({"check", folder_.write("model.glb", builder.glb())}).exit_code, 0);
+}
+
+TEST_F(endless, light_of_five_thousand_lamps)
+{
+    model(box(4.0f), {{{"mesh", 0}}}, {{"doubleSided", true}});
+    json level = {{"format", "hatchway-level/1"}, {"scene", "model.glb"}, {"lights", json::array()}};
+    Random random;
+    for (int i = 0; i < 5000; ++i)
+        level["lights"].push_back({{"type", "point"},
+                                   {"position", {random.next() - 0.5f, random.next() - 0.5f, random.next() - 0.5f}},
+                                   {"intensity_cd", 10}});
+    const ProgramResult baked = run({"bake", folder_.write("lamps.level.json", level.dump()), "--quality", "draft"});
+    EXPECT_EQ(baked.exit_code, 0) << baked.err.substr(0, 2000);
+}
+
+TEST_F(endless, polygons_that_go_to_and_fro)
+{
+    constexpr int kCorners = 4096;
+    std::string zigzag, face = "f";
+    for (int i = 0; i < kCorners; ++i) {
+        const int step = std::min(i, kCorners - 1 - i);
+        zigzag += "v " + std::to_string(step) + ' ' + std::to_string(step % 2 * 100 + (i > step ? 1 : 0)) + " 0\n";
+        face += ' ' + std::to_string(i + 1);
+    }
+    for (int i = 0; i < whole_or(12, 45); ++i) zigzag += face + '\n';
+    EXPECT_EQ(run({"check", folder_.write("model.obj", zigzag)}).exit_code, 0);
+}
+
 TEST_F(endless, lines_of_objects_at_one_place)
 {
     expect_ends(lines_of(model(box(0.5f), json(static_cast<std::size_t>(whole_or(700, 2000)), {{"mesh", 0}}))));
