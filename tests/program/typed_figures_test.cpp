@@ -126,7 +126,7 @@ TEST(typed_figures, of_no_document_were_measured)
     // What is set, not measured.
     const std::map<std::string, std::vector<std::string>> set{
         // a limit of hatching_test, places, a limit, the size of a struct
-        {"CHANGELOG.md", {"0.08", "1e6", "2 GiB", "8 bytes"}},
+        {"CHANGELOG.md", {"0.08", "1e6", "2 GiB", "thousand times", "8 bytes"}},
         // how long fuzzers run in ./check
         {"CONTRIBUTING.md", {"20 seconds"}},
         // limits and periods; 1e6 m in floats: arithmetic
@@ -135,7 +135,7 @@ TEST(typed_figures, of_no_document_were_measured)
         {"docs/method/devices.md", {"1,000", "4,000", "30 frames"}},
         // a proof, a setting, a window of the judge, limits of picture_and_drawing_test
         {"docs/method/drawn_lines.md", {"0.5", "0.5", "0.5", "0.5", "0.75", "0.75", "3.5", "99.5 %", "99.1 %"}},
-        // an example, the largest step of that definition by its formula, an interval
+        // an example, and the largest step of that definition by its formula
         {"docs/method/hatching.md", {"1.5", "6 %", "95 %"}},
         // a limit of the atlas, samples of the reference
         {"docs/method/light.md", {"six times", "8 times"}},
