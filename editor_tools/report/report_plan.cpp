@@ -123,7 +123,7 @@ ReportSection lines_section(const std::string& prism, const std::string& hall, c
     std::vector<std::string> arguments{"lines", prism, hall};
     if (!data.empty())
         for (const char* name : {"models/teapot_bezier_n20.glb", "models/teapot_bezier_n31.glb", "models/bunny_69k.glb",
-                                 "scenes/dungeon_kaykit_9x7.glb"})
+                                 "models/dragon_res3_48k.glb", "scenes/dungeon_kaykit_9x7.glb", "scenes/oa_oa_dm1.glb"})
             arguments.push_back((data / name).string());
     arguments.insert(arguments.end(), {"--views", "2", "--sweep"});
     const auto plot = [](const char* title, const char* x, const char* x_label, const char* y, const char* y_label) {
@@ -158,7 +158,8 @@ ReportSection visible_lines_section(const std::string& prism, const std::string&
     std::vector<std::string> arguments{"visible-lines", prism, hall};
     if (!data.empty())
         for (const char* name : {"models/teapot_bezier_n20.glb", "models/teapot_bezier_n31.glb", "models/bunny_69k.glb",
-                                 "scenes/dungeon_kaykit_9x7.glb", "scenes/city_kaykit_9x9.glb"})
+                                 "models/dragon_res3_48k.glb", "models/spot.glb", "scenes/dungeon_kaykit_9x7.glb",
+                                 "scenes/city_kaykit_9x9.glb", "scenes/japanese_temple.glb", "scenes/oa_oa_dm1.glb"})
             arguments.push_back((data / name).string());
     return {.name = "visible_lines",
             .title = "Visible lines",
