@@ -82,6 +82,20 @@ std::optional<ImageLine> part_in_picture(const ImageSpace& space, const glm::dve
     return seen;
 }
 
+std::optional<std::array<glm::dvec3, 2>> near_cut(const ImageSpace& space,
+                                                  const std::array<glm::dvec3, 3>& corners_view)
+{
+    std::array<glm::dvec3, 2> ends;
+    std::size_t count = 0;
+    for (int i = 0; i < 3; ++i) {
+        const auto part = space.clipped(corners_view[i], corners_view[(i + 1) % 3]);
+        if (part && part->is_from_clipped != part->is_to_clipped)
+            ends[count++] = part->is_from_clipped ? part->from : part->to;
+    }
+    if (count < ends.size()) return std::nullopt;
+    return ends;
+}
+
 void append_triangles(const ImageSpace& space, const std::array<glm::dvec3, 3>& corners_view,
                       const ImageTriangle& whole, std::vector<ImageTriangle>& triangles)
 {

@@ -94,6 +94,10 @@ struct ImageLine {
 std::optional<ImageLine> part_in_picture(const ImageSpace& space, const glm::dvec3& from_view,
                                          const glm::dvec3& to_view);
 
+/// Where the near plane cuts a triangle, view space; nothing where it does not.
+std::optional<std::array<glm::dvec3, 2>> near_cut(const ImageSpace& space,
+                                                  const std::array<glm::dvec3, 3>& corners_view);
+
 /// A face in image space that can hide lines.
 struct ImageTriangle {
     std::array<ImagePoint, 3> corners;

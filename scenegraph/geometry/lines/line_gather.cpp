@@ -18,12 +18,14 @@ namespace {
 
 constexpr std::size_t kPositionsPerTask = 4096;
 
+constexpr unsigned kBehind = 1;  // the near plane
+
 /// On which sides of the picture a point lies, a bit for each. Each side is a half-space, also behind the eye: points
 /// that have a bit in common span nothing that is in the picture.
 unsigned sides_outside(const glm::dvec3& view, const ImageSpace& space)
 {
     const glm::dvec2 half = space.half_m(view.z);
-    return (view.z < space.near_m() ? 1u : 0u) | (view.x < -half.x ? 2u : 0u) | (view.x > half.x ? 4u : 0u) |
+    return (view.z < space.near_m() ? kBehind : 0u) | (view.x < -half.x ? 2u : 0u) | (view.x > half.x ? 4u : 0u) |
            (view.y < -half.y ? 8u : 0u) | (view.y > half.y ? 16u : 0u);
 }
 
@@ -39,14 +41,16 @@ void place_positions(DrawnObject& drawn, const LineObject& object, const ImageSp
         is_flat ? glm::dvec3(0.0) : in_object({space.origin_world(), false}, object.world_from_object).eye;
     const glm::dvec3 origin = is_flat ? glm::dvec3(view_from_object[3]) : glm::dvec3(0.0);
     const std::size_t tasks = (drawn.view.size() + kPositionsPerTask - 1) / kPositionsPerTask;
-    std::vector<unsigned> outside(tasks, ~0u);
+    std::vector<unsigned> outside(tasks, ~0u), outside_some(tasks, 0u);
     std::vector<Box> boxes(tasks);
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
         const std::size_t end = std::min((task + 1) * kPositionsPerTask, drawn.view.size());
         for (std::size_t i = task * kPositionsPerTask; i < end; ++i) {
             drawn.view[i] = origin + turn * (glm::dvec3(surface.positions[i]) - eye);
             if (drawn.view[i].z >= space.near_m()) drawn.image[i] = space.project(drawn.view[i]);
-            outside[task] &= sides_outside(drawn.view[i], space);
+            const unsigned sides = sides_outside(drawn.view[i], space);
+            outside[task] &= sides;
+            outside_some[task] |= sides;
             boxes[task].add(surface.positions[i]);
         }
     });
@@ -57,6 +61,7 @@ void place_positions(DrawnObject& drawn, const LineObject& object, const ImageSp
     unsigned all = ~0u;
     for (const unsigned sides : outside) all &= sides;
     drawn.is_in_picture = !outside.empty() && all == 0;
+    drawn.is_cut = std::any_of(outside_some.begin(), outside_some.end(), [](unsigned some) { return some & kBehind; });
 }
 
 /// What is found by one thread, object after object, and the memory that it needs for that.
@@ -121,6 +126,17 @@ class ObjectGathering {
         for (const std::uint32_t edge : all_silhouettes(surface, drawn_.eye_object, {}, scratch_)) add_contour(edge);
         const EdgeRange borders = surface.edges.group(EdgeGroup::border);
         for (std::uint32_t edge = borders.begin; edge < borders.end; ++edge) add_contour(edge);
+        if (drawn_.is_cut) add_near_cuts();
+    }
+
+    /// What is cut open hides up to the cut.
+    void add_near_cuts()
+    {
+        for (const auto& [a, b, c] : object_.surface->faces) {
+            const auto cut = near_cut(space_, {drawn_.view[a], drawn_.view[b], drawn_.view[c]});
+            const auto part = cut ? part_in_picture(space_, (*cut)[0], (*cut)[1]) : std::nullopt;
+            if (part) found_.contours.push_back({part->from, part->to});
+        }
     }
 
     bool is_left_out(std::uint32_t edge) const

@@ -23,7 +23,7 @@ struct DrawnLine {
     LineSource source;
 };
 
-/// A line at which visibility can change behind it.
+/// A line at which visibility can change behind it: a silhouette, a border, or where the near plane cuts a face.
 struct ContourLine {
     ImagePoint from{0.0};
     ImagePoint to{0.0};
@@ -37,6 +37,7 @@ struct DrawnObject {
     bool hides = false;
     double contact_m = 0.0;            ///< What enters it by less only touches it.
     bool is_in_picture = false;        ///< Else nothing more is known of it.
+    bool is_cut = false;               ///< By the near plane.
     std::span<glm::dvec3> view;        ///< Of each position, view space.
     std::span<ImagePoint> image;       ///< ... of those before the near plane.
     std::span<std::uint8_t> is_there;  ///< Of each face, where those that look away are not there; else empty.

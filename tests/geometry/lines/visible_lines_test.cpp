@@ -330,6 +330,36 @@ TEST(visible_lines, cross_the_near_plane_without_a_jump)
     }
 }
 
+TEST(visible_lines, what_the_eye_s_plane_cuts_open_hides_up_to_the_cut)
+{
+    const hw::Surface box = hw::build_surface(hw::test::box({-1, -1, -1}, {1, 1, 1})),
+                      ball = hw::build_surface(sphere(128, 64)),
+                      bar = hw::build_surface(hw::test::box({-3, 0.2f, -5.1f}, {3, 0.4f, -4.9f}));
+    const auto bar_px = [&](const hw::Surface& around, const glm::dmat4& turn, double eye_z) {
+        const std::vector<hw::LineObject> objects{{&around, turn}, {&bar}};
+        const hw::LineCamera section{.eye_world = {0, 0, eye_z},
+                                     .target_world = {0, 0, eye_z - 1.0},
+                                     .orthographic_height_m = 8.0,
+                                     .size_px = {800, 800},
+                                     .near_m = 0.0,
+                                     .far_m = 20.0};
+        return total(hw::find_visible_lines(objects, section), true, 1);
+    };
+    const double whole = bar_px(box, at(100, 0, 0), 0.0);
+    // Faces seen edge-on, and the same box turned by a hair either way.
+    for (const double turn : {0.0, 1e-9, -1e-9, 1e-4, -1e-4})
+        for (const double eye_z : {0.0, 0.9, -0.3, 1.001})
+            EXPECT_NEAR(bar_px(box, glm::rotate(glm::dmat4(1.0), turn, {0, 1, 0}), eye_z), whole - 2 * 200.0, 0.2)
+                << turn << " " << eye_z;
+    // A ball that is cut beyond its middle hides no more than is left of it.
+    for (const double eye_z : {0.5, 0.0, -0.5}) {
+        const double radius = eye_z < 0.0 ? std::sqrt(1.0 - eye_z * eye_z) : 1.0;
+        double hidden = 0.0;
+        for (const double y : {0.2, 0.4}) hidden += 200.0 * std::sqrt(radius * radius - y * y);
+        EXPECT_NEAR(bar_px(ball, glm::dmat4(1.0), eye_z), whole - hidden, 2.0) << eye_z;
+    }
+}
+
 TEST(visible_lines, have_the_length_that_rays_through_many_samples_find)
 {
     std::mt19937 random(9);
