@@ -1,15 +1,18 @@
 #include "hatchway/geometry/topology/orientation.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace hw {
 namespace {
 
-/// What a component's spanning tree says: which faces disagree with its first face, and how well flipping them works.
+constexpr double kEven = 1e-6;  // of two halves, relative
+
+/// What a component's spanning tree says, and how well flipping the faces works that disagree with its first.
 struct Component {
     std::vector<std::uint32_t> faces;
-    std::uint32_t opposed = 0;
     bool has_border = false;
     std::uint32_t inconsistent_before = 0;  // counted once from each side
     std::uint32_t inconsistent_after = 0;
@@ -56,7 +59,6 @@ class WindingWalk {
         repair_.face_component[seed] = repair_.component_count;
         for (std::size_t next = 0; next < component.faces.size(); ++next) {
             const std::uint32_t face = component.faces[next];
-            component.opposed += is_opposed_[face];
             for (const auto& [other, against] : beyond_[face]) {
                 component.has_border |= other == kNoFace;
                 if (other == kNoFace) continue;
@@ -75,14 +77,23 @@ class WindingWalk {
     void flip_minority(const Component& component)
     {
         if (component.inconsistent_after >= component.inconsistent_before) return;
-        const bool is_even = 2 * component.opposed == component.faces.size();
-        const bool flip_opposed = is_even && !component.has_border ? volume_of(component) >= 0.0
-                                                                   : 2 * component.opposed <= component.faces.size();
+        std::array<double, 2> area{};  // of faces that agree with the first, of faces that do not
+        for (const std::uint32_t face : component.faces) area[is_opposed_[face]] += area_of(face);
+        const bool is_even = std::abs(area[0] - area[1]) <= kEven * (area[0] + area[1]);
+        const bool flip_opposed =
+            is_even && !component.has_border ? volume_of(component) >= 0.0 : is_even || area[1] < area[0];
         for (const std::uint32_t face : component.faces) {
             if (is_opposed_[face] != flip_opposed) continue;
             std::swap(faces_[face][1], faces_[face][2]);
             repair_.flipped_faces.push_back(face);
         }
+    }
+
+    double area_of(std::uint32_t face) const
+    {
+        const auto& [a, b, c] = faces_[face];
+        const glm::dvec3 p = positions_[a];
+        return 0.5 * glm::length(glm::cross(glm::dvec3(positions_[b]) - p, glm::dvec3(positions_[c]) - p));
     }
 
     /// As the component's first face would have all of them wound.

@@ -5,6 +5,8 @@
 #include <glm/vector_relational.hpp>
 
 #include "hatchway/geometry/topology/doubled_faces.hpp"
+#include "hatchway/geometry/topology/doubled_patches.hpp"
+#include "hatchway/geometry/topology/near_doubles.hpp"
 #include "hatchway/geometry/topology/orientation.hpp"
 #include "hatchway/geometry/topology/pinholes.hpp"
 #include "hatchway/geometry/topology/stitch.hpp"
@@ -29,6 +31,7 @@ class MeshRepair {
         made_.uses = sorted_directed_edges(made_.faces);
         join_doubled();
         if (has_borders()) {
+            join_near();
             stitch();
             close_holes();
             close();
@@ -58,16 +61,32 @@ class MeshRepair {
 
     void join_doubled()
     {
-        const DoubledFaces doubled = find_doubled_faces(made_.faces, made_.uses, made_.face_triangle);
+        leave_out(find_doubled_faces(made_.faces, made_.uses, made_.face_triangle));
+        leave_out(find_doubled_patches(made_.positions, made_.faces, made_.uses, made_.face_triangle, tolerance_));
+    }
+
+    void leave_out(const DoubledFaces& doubled)
+    {
         if (doubled.is_dropped.empty()) return;
         const std::size_t count = made_.faces.size();
-        for (std::size_t face = 0; face < count; ++face)
+        made_.two_sided_faces.resize(count, false);
+        for (std::size_t face = 0; face < count; ++face) {
             if (doubled.is_dropped[face]) made_.doubled_triangles.push_back(made_.face_triangle[face]);
-        made_.two_sided_faces.assign(doubled.is_two_sided.begin(), doubled.is_two_sided.end());
+            if (doubled.is_two_sided[face]) made_.two_sided_faces[face] = true;
+        }
         const std::vector<std::uint32_t> new_number =
             keep_faces([&](std::size_t face) { return !doubled.is_dropped[face]; });
         for (DirectedEdge& use : made_.uses) use.face = new_number[use.face];
         std::erase_if(made_.uses, [](const DirectedEdge& use) { return use.face == kNoFace; });
+    }
+
+    void join_near()
+    {
+        const std::vector<FaceCorners> before = made_.faces;
+        if (!join_near_doubles(made_.positions, made_.faces, made_.uses, made_.face_triangle, tolerance_)) return;
+        drop_unused_positions(before);
+        made_.uses = sorted_directed_edges(made_.faces);
+        join_doubled();
     }
 
     void stitch()

@@ -21,15 +21,16 @@ struct RepairedMesh {
     std::vector<std::uint32_t> face_component;  ///< Connected over edges of exactly two faces.
     std::uint32_t component_count = 0;
 
-    std::vector<std::uint32_t> doubled_triangles;  ///< Left out: see find_doubled_faces().
+    std::vector<std::uint32_t> doubled_triangles;  ///< Left out: find_doubled_faces(), find_doubled_patches().
     std::uint32_t stitched_edges = 0;              ///< Pairs of borders that became one edge.
     std::uint32_t pinholes = 0;                    ///< Holes that became a point.
     std::uint32_t t_junction_edges = 0;            ///< Borders that got caps.
     std::vector<std::uint32_t> flipped_faces;      ///< Turned over, and not two-sided; rising.
 };
 
-/// In this order: joins doubled faces, stitches borders closer than `stitch_share` of the bounding box' diagonal,
-/// makes points of holes as small (close_pinholes()), closes T-junctions as wide, repairs the winding.
+/// In this order: joins doubled sheets, also such as are nearly doubled (join_near_doubles()), stitches borders closer
+/// than `stitch_share` of the bounding box' diagonal, makes points of holes as small (close_pinholes()), closes
+/// T-junctions as wide, repairs the winding.
 RepairedMesh repair_mesh(WeldedMesh mesh, float stitch_share);
 
 /// The share of the bounding box' diagonal within which borders are joined.

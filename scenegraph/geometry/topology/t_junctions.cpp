@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <unordered_map>
 
 namespace hw {
@@ -13,17 +14,22 @@ namespace {
 constexpr std::uint64_t kMostLookedAt = 20'000'000;  // borders near corners; past that the rest stay as they are
 constexpr std::uint32_t kMostSamples = 4096;
 constexpr double kSmallestCell = 64.0;  // in tolerances
+constexpr double kFoldedBack = 0.9;     // cosine between two faces of which one lies on the other
 
 struct Border {
     std::uint32_t from;
     std::uint32_t to;
+    std::uint32_t apex;  ///< The third corner of its face.
+    bool is_two_sided;
 };
 
 /// A corner on a border, away from its ends.
 struct Junction {
     std::uint32_t border;
     std::uint32_t position;
-    double along;  ///< From the border's beginning.
+    double along;     ///< From the border's beginning.
+    bool is_against;  ///< A border there runs the other way.
+    bool goes_on;     ///< A border there has its face elsewhere than this one has it.
 };
 
 std::uint64_t key_of(std::uint32_t a, std::uint32_t b)
@@ -33,14 +39,16 @@ std::uint64_t key_of(std::uint32_t a, std::uint32_t b)
 
 class TJunctions {
  public:
-    TJunctions(std::span<const glm::vec3> positions, std::span<const DirectedEdge> uses,
-               const std::vector<bool>& two_sided_faces, float tolerance)
+    TJunctions(std::span<const glm::vec3> positions, std::span<const FaceCorners> faces,
+               std::span<const DirectedEdge> uses, const std::vector<bool>& two_sided_faces, float tolerance)
         : positions_(positions), tolerance_(tolerance)
     {
         for_each_edge(uses, [&](std::span<const DirectedEdge> edge) {
+            if (edge.size() > 1) return;
             const auto& [low, high, face, corner, is_forward] = edge[0];
-            if (edge.size() > 1 || (!two_sided_faces.empty() && two_sided_faces[face])) return;
-            borders_.push_back(is_forward ? Border{low, high} : Border{high, low});
+            const bool is_two_sided = !two_sided_faces.empty() && two_sided_faces[face];
+            borders_.push_back(
+                {is_forward ? low : high, is_forward ? high : low, faces[face][(corner + 2) % 3], is_two_sided});
         });
         // By place, so that the order of faces decides nothing.
         std::sort(borders_.begin(), borders_.end(), [&](const Border& a, const Border& b) {
@@ -142,12 +150,25 @@ class TJunctions {
             const glm::dvec3 offset = place(p) - from;
             return glm::length(offset - glm::dot(offset, direction) * direction) <= tolerance_;
         };
-        const auto runs_against = [&](std::uint32_t other) {
+        if (!is_on_line(position)) return;
+        Junction junction{index, position, along, false, false};
+        for (const std::uint32_t other : at_[position]) {
             const Border& b = borders_[other];
-            return glm::dot(place(b.to) - place(b.from), direction) < 0.0 && is_on_line(b.from) && is_on_line(b.to);
-        };
-        if (is_on_line(position) && std::any_of(at_[position].begin(), at_[position].end(), runs_against))
-            found_.push_back({index, position, along});
+            if (other == index || !is_on_line(b.from) || !is_on_line(b.to)) continue;
+            const bool has_direction = !border.is_two_sided && !b.is_two_sided;
+            junction.is_against |= has_direction && glm::dot(place(b.to) - place(b.from), direction) < 0.0;
+            junction.goes_on |= glm::dot(across(border, direction), across(b, direction)) < kFoldedBack;
+        }
+        if (junction.is_against || junction.goes_on) found_.push_back(junction);
+    }
+
+    /// From the border to its face, at right angles to `direction`.
+    glm::dvec3 across(const Border& border, const glm::dvec3& direction) const
+    {
+        const glm::dvec3 apex = place(border.apex) - place(border.from);
+        const glm::dvec3 offset = apex - glm::dot(apex, direction) * direction;
+        const double length = glm::length(offset);
+        return length > 0.0 ? offset / length : offset;
     }
 
     std::span<const glm::vec3> positions_;
@@ -169,14 +190,16 @@ class Caps {
         : faces_(faces)
     {
         for (const DirectedEdge& use : uses) {
-            auto& counts = uses_[key_of(use.low, use.high)];
+            Uses& counts = uses_[key_of(use.low, use.high)];
             const bool is_two_sided = !two_sided_faces.empty() && two_sided_faces[use.face];
+            ++counts.faces;
             for (const bool is_forward : {false, true})
-                counts[is_forward] += is_two_sided || use.is_forward == is_forward;
+                counts.wound[is_forward] += is_two_sided || use.is_forward == is_forward;
         }
     }
 
-    bool add(const Border& border, std::span<const Junction> junctions)
+    /// `with_winding`: only where both faces of each edge wind alike.
+    bool add(const Border& border, std::span<const Junction> junctions, bool with_winding)
     {
         std::vector<FaceCorners> caps;
         std::uint32_t last = border.from;
@@ -185,7 +208,7 @@ class Caps {
             last = junction.position;
         }
         for (std::size_t i = 0; i < caps.size(); ++i) {
-            if (use(caps[i])) continue;
+            if (use(caps[i], with_winding)) continue;
             for (std::size_t k = 0; k <= i; ++k) take_back(caps[k]);
             return false;
         }
@@ -194,22 +217,108 @@ class Caps {
     }
 
  private:
-    std::uint32_t& count(std::uint32_t from, std::uint32_t to) { return uses_[key_of(from, to)][from < to]; }
+    struct Uses {
+        std::array<std::uint32_t, 2> wound{};  ///< Backward, forward.
+        std::uint32_t faces = 0;
+    };
 
-    bool use(const FaceCorners& cap)
+    bool use(const FaceCorners& cap, bool with_winding)
     {
-        bool is_alone = true;
-        for (int i = 0; i < 3; ++i) is_alone &= ++count(cap[i], cap[(i + 1) % 3]) == 1;
-        return is_alone;
+        bool is_free = true;
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t from = cap[i], to = cap[(i + 1) % 3];
+            Uses& counts = uses_[key_of(from, to)];
+            const bool winds_alike = ++counts.wound[from < to] == 1;
+            is_free &= ++counts.faces <= 2 && (winds_alike || !with_winding);
+        }
+        return is_free;
     }
     void take_back(const FaceCorners& cap)
     {
-        for (int i = 0; i < 3; ++i) --count(cap[i], cap[(i + 1) % 3]);
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t from = cap[i], to = cap[(i + 1) % 3];
+            Uses& counts = uses_[key_of(from, to)];
+            --counts.wound[from < to];
+            --counts.faces;
+        }
     }
 
     std::vector<FaceCorners>& faces_;
-    std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> uses_;  // of each edge: backward, forward
+    std::unordered_map<std::uint64_t, Uses> uses_;
 };
+
+/// A border with its junctions.
+using JunctionRun = std::span<const Junction>;
+
+std::vector<JunctionRun> runs_of(std::span<const Junction> junctions)
+{
+    std::vector<JunctionRun> runs;
+    for (std::size_t begin = 0, end = 0; begin < junctions.size(); begin = end) {
+        while (end < junctions.size() && junctions[end].border == junctions[begin].border) ++end;
+        runs.push_back(junctions.subspan(begin, end - begin));
+    }
+    return runs;
+}
+
+/// Caps a border at those of its junctions that are such.
+template <typename IsSuch>
+bool cap_at(Caps& caps, const Border& border, JunctionRun run, bool with_winding, const IsSuch& is_such)
+{
+    std::vector<Junction> such;
+    std::copy_if(run.begin(), run.end(), std::back_inserter(such), is_such);
+    return !such.empty() && caps.add(border, such, with_winding);
+}
+
+bool cap_against(Caps& caps, const Border& border, JunctionRun run)
+{
+    return cap_at(caps, border, run, true, [](const Junction& junction) { return junction.is_against; });
+}
+
+bool cap_any_way(Caps& caps, const Border& border, JunctionRun run)
+{
+    return cap_at(caps, border, run, false, [](const Junction& junction) { return junction.goes_on; });
+}
+
+/// Of each face, whether each edge of all that is connected with it has two faces.
+std::vector<bool> faces_of_closed(std::span<const FaceCorners> faces)
+{
+    const std::vector<DirectedEdge> uses = sorted_directed_edges(faces);
+    const std::vector<FaceCorners> neighbours = face_neighbours(faces.size(), uses);
+    std::vector<bool> is_closed(faces.size(), false), is_seen(faces.size(), false);
+    std::vector<std::uint32_t> component;
+    for (std::uint32_t seed = 0; seed < faces.size(); ++seed) {
+        if (is_seen[seed]) continue;
+        bool is_whole = is_seen[seed] = true;
+        component.assign({seed});
+        for (std::size_t next = 0; next < component.size(); ++next)
+            for (const std::uint32_t other : neighbours[component[next]]) {
+                is_whole &= other != kNoFace;
+                if (other == kNoFace || is_seen[other]) continue;
+                is_seen[other] = true;
+                component.push_back(other);
+            }
+        if (is_whole)
+            for (const std::uint32_t face : component) is_closed[face] = true;
+    }
+    return is_closed;
+}
+
+/// Which borders belong to what is closed once they are capped whichever way their neighbours run.
+std::vector<bool> runs_that_close(const TJunctions& search, std::span<const JunctionRun> runs,
+                                  std::vector<FaceCorners> faces, std::span<const DirectedEdge> uses,
+                                  const std::vector<bool>& two_sided_faces)
+{
+    Caps caps(faces, uses, two_sided_faces);
+    std::vector<std::size_t> first_cap(runs.size(), faces.size());
+    std::vector<bool> is_capped(runs.size(), false);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        first_cap[i] = faces.size();
+        is_capped[i] = cap_any_way(caps, search.border(runs[i][0].border), runs[i]);
+    }
+    const std::vector<bool> is_closed = faces_of_closed(faces);
+    for (std::size_t i = 0; i < runs.size(); ++i) is_capped[i] = is_capped[i] && is_closed[first_cap[i]];
+    return is_capped;
+}
 
 }  // namespace
 
@@ -218,15 +327,17 @@ std::uint32_t close_t_junctions(std::span<const glm::vec3> positions, std::vecto
                                 float tolerance)
 {
     if (!(tolerance > 0.0f)) return 0;
-    TJunctions search(positions, uses, two_sided_faces, tolerance);
+    TJunctions search(positions, faces, uses, two_sided_faces, tolerance);
     const std::vector<Junction> junctions = search.find();
     if (junctions.empty()) return 0;
+    const std::vector<JunctionRun> runs = runs_of(junctions);
+    const std::vector<bool> does_close = runs_that_close(search, runs, faces, uses, two_sided_faces);
     Caps caps(faces, uses, two_sided_faces);
     std::uint32_t closed = 0;
-    for (std::size_t begin = 0, end = 0; begin < junctions.size(); begin = end) {
-        while (end < junctions.size() && junctions[end].border == junctions[begin].border) ++end;
-        closed += caps.add(search.border(junctions[begin].border), std::span(junctions).subspan(begin, end - begin));
-    }
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (does_close[i]) closed += cap_any_way(caps, search.border(runs[i][0].border), runs[i]);
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (!does_close[i]) closed += cap_against(caps, search.border(runs[i][0].border), runs[i]);
     return closed;
 }
 

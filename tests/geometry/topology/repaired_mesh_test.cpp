@@ -126,6 +126,72 @@ double volume(const hw::MeshData& mesh)
     return sum / 6.0;
 }
 
+/// The same quads along their other diagonals. Triangles stand by pairs.
+hw::MeshData cut_otherwise(hw::MeshData mesh)
+{
+    for (std::size_t i = 0; i + 5 < mesh.indices.size(); i += 6) {
+        std::uint32_t* const t = &mesh.indices[i];
+        const auto is_of_second = [&](std::uint32_t corner) { return std::find(t + 3, t + 6, corner) != t + 6; };
+        while (is_of_second(t[0])) std::rotate(t, t + 1, t + 3);
+        const auto is_of_first = [&](std::uint32_t corner) { return std::find(t, t + 3, corner) != t + 3; };
+        while (is_of_first(t[3])) std::rotate(t + 3, t + 4, t + 6);
+        const std::uint32_t a = t[0], b = t[1], c = t[3], d = t[2];
+        const std::uint32_t made[6] = {a, b, c, a, c, d};
+        std::copy(made, made + 6, t);
+    }
+    return mesh;
+}
+
+/// Every position somewhere within `reach` along each axis.
+hw::MeshData shaken(hw::MeshData mesh, float reach)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> offset(-reach, reach);
+    for (glm::vec3& p : mesh.positions) p += glm::vec3(offset(random), offset(random), offset(random));
+    return mesh;
+}
+
+float diagonal(const hw::MeshData& mesh)
+{
+    glm::vec3 low = mesh.positions[0], high = low;
+    for (const glm::vec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
+    return glm::distance(low, high);
+}
+
+hw::MeshData waves()
+{
+    return sheet(9, [](float x, float z) { return 0.05f * std::sin(6.0f * x) * std::cos(5.0f * z); });
+}
+
+void expect_lines_of_single(const hw::MeshData& both, const hw::MeshData& single, double tolerance_px)
+{
+    const hw::Surface surface = hw::build_surface(both), expected = hw::build_surface(single, {.is_solid = false});
+    EXPECT_EQ(surface.report.doubled_faces, single.triangle_count());
+    EXPECT_EQ(surface.report.complex_edges, expected.report.complex_edges);
+    EXPECT_EQ(surface.report.border_edges, expected.report.border_edges);
+    for (const glm::dvec3& eye : kEyes) {
+        const auto lines = drawn_px(surface, eye), lines_of_single = drawn_px(expected, eye, false);
+        ASSERT_EQ(lines.size(), lines_of_single.size());
+        for (const auto& [line_class, length] : lines_of_single)
+            EXPECT_NEAR(lines.at(line_class), length, tolerance_px);
+    }
+}
+
+/// Two cones on one rim, and a fin at one edge of it.
+hw::MeshData lens_with_fin(float height)
+{
+    constexpr std::uint32_t kCount = 12;
+    hw::MeshData mesh;
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        const float angle = 6.2831853f * static_cast<float>(i) / kCount;
+        mesh.positions.push_back({std::cos(angle), 0, std::sin(angle)});
+        mesh.indices.insert(mesh.indices.end(), {kCount, (i + 1) % kCount, i, kCount + 1, i, (i + 1) % kCount});
+    }
+    mesh.positions.insert(mesh.positions.end(), {{0, height, 0}, {0, -height, 0}, {2, 0, 0.5f}});
+    mesh.indices.insert(mesh.indices.end(), {0, 1, kCount + 2});
+    return mesh;
+}
+
 }  // namespace
 
 TEST(doubled_faces, a_sheet_that_is_modelled_from_both_sides_has_no_line_at_its_folds)
@@ -185,6 +251,85 @@ TEST(doubled_faces, a_face_that_is_there_twice_the_same_way_is_there_once)
     EXPECT_EQ(surface.report.reflex_rule_components, 1u);
 }
 
+TEST(doubled_faces, sides_that_are_cut_into_triangles_in_another_way_are_one_sheet)
+{
+    for (const hw::MeshData& mesh : {folded_sheet(), torus(20, 10), waves()})
+        for (const float scale : {1.0f, 1e-3f, 1e4f}) {
+            const hw::MeshData single = moved(mesh, glm::scale(glm::mat4(1.0f), glm::vec3(scale)));
+            const hw::MeshData other = turned_over(cut_otherwise(single));
+            if (scale == 1.0f) expect_lines_of_single(joined({single, other}), single, 1e-6);
+            EXPECT_EQ(hw::build_surface(joined({single, other})).report.doubled_faces, mesh.triangle_count());
+            const hw::Surface twice = hw::build_surface(joined({single, cut_otherwise(single)}));
+            EXPECT_EQ(twice.report.doubled_faces, mesh.triangle_count());
+            EXPECT_FALSE(twice.is_two_sided(0));
+        }
+}
+
+TEST(doubled_faces, a_flat_polygon_whose_other_side_is_another_fan_is_one_sheet)
+{
+    // Two polygons of nine corners on one edge: a fan around one corner, or one around the middle.
+    const auto polygons = [](bool has_middle) {
+        hw::MeshData mesh;
+        for (const float side : {-1.0f, 1.0f}) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            for (int i = 0; i < 9; ++i) {
+                const float angle = 3.1415927f * static_cast<float>(i) / 8.0f;
+                const float out = i < 8 ? std::sin(angle) : 0.0f;
+                mesh.positions.push_back({side * out, 0.2f * out, std::cos(angle)});
+            }
+            if (has_middle) mesh.positions.push_back({side * 0.3f, 0.06f, 0.1f});
+            for (std::uint32_t i = 0; i < (has_middle ? 9u : 7u); ++i) {
+                const std::uint32_t a = has_middle ? 9 : 0, b = has_middle ? i : i + 1,
+                                    c = has_middle ? (i + 1) % 9 : i + 2;
+                mesh.indices.insert(mesh.indices.end(), {first + a, first + b, first + c});
+            }
+        }
+        return mesh;
+    };
+    for (const bool is_fan_first : {true, false}) {
+        const hw::MeshData both = joined({polygons(!is_fan_first), turned_over(polygons(is_fan_first))});
+        const hw::Surface surface = hw::build_surface(both);
+        EXPECT_EQ(surface.report.doubled_faces, is_fan_first ? 18u : 14u);
+        EXPECT_EQ(surface.report.complex_edges, 0u);
+    }
+}
+
+TEST(doubled_faces, sides_that_roundings_moved_apart_are_one_sheet)
+{
+    for (const hw::MeshData& mesh : {folded_sheet(), cup(), waves()})
+        for (const float share : {1e-7f, 1e-6f, 4e-6f})
+            for (const float scale : {1.0f, 1e-3f, 1e4f}) {
+                const hw::MeshData single = moved(mesh, glm::scale(glm::mat4(1.0f), glm::vec3(scale)));
+                const hw::MeshData back = shaken(turned_over(single), share * diagonal(single));
+                const hw::Surface surface = hw::build_surface(joined({single, back}));
+                const hw::Surface expected = hw::build_surface(single);
+                EXPECT_EQ(surface.report.doubled_faces, mesh.triangle_count() - expected.report.removed_faces);
+                EXPECT_EQ(surface.report.complex_edges, 0u);
+                EXPECT_EQ(surface.report.border_edges, expected.report.border_edges) << share << " " << scale;
+            }
+    for (const hw::MeshData& mesh : {folded_sheet(), waves()}) {
+        expect_lines_of_single(joined({mesh, shaken(turned_over(mesh), 2e-6f)}), mesh, 0.01);
+        expect_lines_of_single(joined({mesh, shaken(turned_over(cut_otherwise(mesh)), 2e-6f)}), mesh, 0.01);
+    }
+}
+
+TEST(doubled_faces, two_sides_of_a_body_stay_however_thin_it_is)
+{
+    for (const float height : {0.3f, 0.01f, 1e-3f})
+        EXPECT_EQ(hw::build_surface(lens_with_fin(height)).report.doubled_faces, 0u) << height;
+    // A plate that is thinner than what borders are joined within, its sides cut into small faces.
+    hw::MeshData plate = waves();
+    const auto count = static_cast<std::uint32_t>(plate.positions.size());
+    const hw::MeshData top = moved(plate, glm::translate(glm::mat4(1.0f), {0, 3e-6f, 0}));
+    plate = joined({turned_over(plate), top});
+    for (std::uint32_t i = 0; i < 9; ++i)
+        plate.indices.insert(plate.indices.end(), {i, i + 1, count + i, i + 1, count + i + 1, count + i});
+    EXPECT_EQ(hw::build_surface(plate).report.doubled_faces, 0u);
+    const hw::MeshData kite =
+        mesh_of({{0, 0.05f, 0}, {1, -0.05f, 0}, {1, 0.05f, 1}, {0, -0.05f, 1}}, {0, 2, 1, 0, 3, 2, 0, 1, 3, 1, 2, 3});
+    EXPECT_EQ(hw::build_surface(kite).report.doubled_faces, 0u);
+}
+
 TEST(t_junctions, every_edge_of_a_box_is_one_ridge_however_its_front_is_cut)
 {
     for (const int cuts : {1, 2, 5}) {
@@ -197,8 +342,8 @@ TEST(t_junctions, every_edge_of_a_box_is_one_ridge_however_its_front_is_cut)
             for (const glm::dvec3& eye : kEyes) {
                 const auto lines = drawn_px(surface, eye);
                 const auto plain = drawn_px(hw::build_surface(box({-1, -1, -1}, {1, 1, 1})), eye);
-                ASSERT_EQ(lines.size(), 1u) << cuts << " cuts, " << off;
-                EXPECT_NEAR(lines.at(hw::LineClass::ridge), plain.at(hw::LineClass::ridge), 0.01);
+                ASSERT_EQ(lines.size(), plain.size()) << cuts << " cuts, " << off;
+                for (const auto& [line_class, length] : plain) EXPECT_NEAR(lines.at(line_class), length, 0.01);
             }
         }
     }
@@ -214,6 +359,41 @@ TEST(t_junctions, borders_that_are_cut_at_different_places_on_both_sides_are_joi
     EXPECT_EQ(surface.report.border_edges, 4u);
     EXPECT_EQ(surface.report.complex_edges, 0u);
     EXPECT_EQ(surface.report.t_junction_edges, 3u);
+}
+
+TEST(t_junctions, a_front_that_is_turned_over_or_there_from_both_sides_is_joined_all_the_same)
+{
+    const hw::MeshData whole = box({-1, -1, -1}, {1, 1, 1});
+    for (const int cuts : {1, 2, 5}) {
+        const hw::MeshData mesh = box_with_t_junctions(cuts, 0.0f);
+        std::vector<std::uint32_t> front;
+        for (std::uint32_t triangle = 10; triangle < mesh.triangle_count(); ++triangle) front.push_back(triangle);
+        const hw::Surface turned = hw::build_surface(with_turned(mesh, front));
+        EXPECT_EQ(turned.report.t_junction_edges, 4u) << cuts;
+        EXPECT_EQ(turned.report.flipped_faces, front.size());
+        EXPECT_EQ(turned.report.closed_components, 1u);
+        const hw::Surface some_turned = hw::build_surface(with_turned(mesh, std::vector<std::uint32_t>{3, 11, 12}));
+        EXPECT_EQ(some_turned.report.flipped_faces, 3u);
+        const hw::Surface both = hw::build_surface(doubled(with_turned(mesh, std::vector<std::uint32_t>{3, 11}), true));
+        const hw::Surface plain = hw::build_surface(whole), plain_both = hw::build_surface(doubled(whole, true));
+        EXPECT_EQ(both.report.border_edges, 0u);
+        for (const glm::dvec3& eye : kEyes) {
+            EXPECT_NEAR(all_px(drawn_px(turned, eye)), all_px(drawn_px(plain, eye)), 0.01) << cuts;
+            EXPECT_NEAR(all_px(drawn_px(some_turned, eye)), all_px(drawn_px(plain, eye)), 0.01) << cuts;
+            EXPECT_NEAR(all_px(drawn_px(both, eye)), all_px(drawn_px(plain_both, eye)), 0.01) << cuts;
+        }
+    }
+}
+
+TEST(t_junctions, a_sheet_that_lies_on_another_is_not_joined_with_it)
+{
+    // A rug whose edge is a part of the floor's, and both look up.
+    const hw::MeshData mesh =
+        mesh_of({{0, 0, 0}, {3, 0, 0}, {3, 0, 3}, {0, 0, 3}, {1, 0, 0}, {2, 0, 0}, {2, 0, 1}, {1, 0, 1}},
+                {0, 2, 1, 0, 3, 2, 4, 6, 5, 4, 7, 6});
+    const hw::Surface surface = hw::build_surface(mesh);
+    EXPECT_EQ(surface.report.t_junction_edges, 0u);
+    EXPECT_EQ(surface.report.flipped_faces, 0u);
 }
 
 TEST(t_junctions, what_is_left_of_a_border_stays_one)
