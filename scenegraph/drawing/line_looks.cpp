@@ -16,6 +16,8 @@ class LookRecorder final : public Pass {
     const View& view() const override { return view_; }
     Layer layer() const override { return Layer::opaque; }
     Items opaque_scene() const override { return {}; }
+    DepthRange depth_range(const ImageKey&) const override { return {}; }
+    void cover(Program, const Uniforms&) override {}
     Image image(const ImageKey&, std::size_t) const override { return {}; }
     Images render(const TargetDesc&, Program, const Uniforms&, Items) override { return {}; }
     Images filter(const TargetDesc&, Program, const Uniforms&) override { return {}; }

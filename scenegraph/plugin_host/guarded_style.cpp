@@ -27,6 +27,8 @@ class IdlePass final : public Pass {
     const View& view() const override { return pass_.view(); }
     Layer layer() const override { return pass_.layer(); }
     Items opaque_scene() const override { return pass_.opaque_scene(); }
+    DepthRange depth_range(const ImageKey& key) const override { return pass_.depth_range(key); }
+    void cover(Program, const Uniforms&) override {}
     Image image(const ImageKey& key, std::size_t output) const override { return pass_.image(key, output); }
     Images render(const TargetDesc&, Program, const Uniforms&, Items) override { return {}; }
     Images filter(const TargetDesc&, Program, const Uniforms&) override { return {}; }

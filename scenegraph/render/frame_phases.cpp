@@ -81,7 +81,8 @@ void draw_images(const Frame& frame)
         const NeededImage& image = frame.scene.images.at(wanted.key);
         StylePass pass(frame, PassStage::images,
                        {"the image pass \"" + wanted.key.pass + '"', image.needs, image.maps});
-        frame.results.images[wanted.key] = image.pass->make(pass, items_of(wanted, frame.scene.input, frame.whole()));
+        frame.results.images[wanted.key] =
+            image.pass->make(pass, items_of(image, wanted.is_shown, frame.scene.input, frame.whole()));
         frame.device.state.apply({});
     }
     for (int i = 0; i < style_count(frame); ++i) {
@@ -111,7 +112,7 @@ void draw_lines(const Frame& frame)
     for (int i = 0; i < style_count(frame); ++i) {
         const std::vector<DrawItem> items = opaque_items(frame.view.plan.styles[i]);
         if (items.empty()) continue;
-        StylePass pass = pass_of(frame, i, PassStage::base);
+        StylePass pass = pass_of(frame, i, PassStage::lines);
         style_of(frame, i).lines(pass, items);
         frame.device.state.apply({});
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "hatchway/render/frame_plan.hpp"
@@ -11,7 +10,6 @@ namespace hw {
 /// An image that a frame makes.
 struct WantedImage {
     ImageKey key;
-    std::set<int> styles;   ///< Those that need it, themselves or by another image.
     bool is_shown = false;  ///< It is looked at, itself or by another image: whatever is visible belongs in it.
 };
 
@@ -19,7 +17,12 @@ struct WantedImage {
 /// it reads itself.
 std::vector<WantedImage> plan_images(const LoadedScene& scene, const FramePlan& plan, const ImageKey* shown);
 
-/// The visible objects whose styles need an image: opaque ones near before far, then blended ones back to front.
-std::vector<DrawItem> items_of(const WantedImage& image, const SceneInput& input, const WholeItems& visible);
+/// The visible objects whose styles need an image, or all that are visible: opaque ones near before far, then blended
+/// ones back to front.
+std::vector<DrawItem> items_of(const NeededImage& image, bool is_shown, const SceneInput& input,
+                               const WholeItems& visible);
+
+/// Pass::depth_range(). Of all objects where no style needs the image: it is only looked at.
+DepthRange depth_range_of(const NeededImage& image, const SceneInput& input, const View& view);
 
 }  // namespace hw

@@ -35,6 +35,16 @@ double area_of(const MeshData& mesh)
     return area;
 }
 
+/// Notes a style at all images that it needs, those that they read included.
+void note_style(int style, const Needs& by, std::map<ImageKey, NeededImage>& images)
+{
+    for (const ImageKey& key : by.images) {
+        const auto image = images.find(key);  // not there: more images read each other than may
+        if (image != images.end() && image->second.styles.insert(style).second)
+            note_style(style, image->second.needs, images);
+    }
+}
+
 }  // namespace
 
 LoadedScene::LoadedScene(SceneInput taken, LineIndices& line_indices, FilterMode texture_filter)
@@ -98,6 +108,8 @@ void LoadedScene::set_looks(std::vector<NamedStyle> styles, std::vector<StyledOb
         new_maps.push_back(maps_of(new_needs.back()));
         make_images(new_needs.back(), 0, new_images);
     }
+    for (auto& [key, image] : new_images) image.styles.clear();
+    for (std::size_t i = 0; i < new_needs.size(); ++i) note_style(static_cast<int>(i), new_needs[i], new_images);
     std::vector<StreamUse> streams;
     for (ObjectId object = 0; object < objects.size(); ++object)
         for (const int style : {objects[object].style, objects[object].over})

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "hatchway/render/device/gpu_lightmap.hpp"
@@ -17,6 +18,7 @@ struct NeededImage {
     std::shared_ptr<ImagePass> pass;
     Needs needs;
     std::map<MapKind, int> maps;  ///< What its needs name.
+    std::set<int> styles = {};    ///< Those that need it, themselves or by another image.
 };
 
 /// Everything of one loaded scene: what was given, and what was made of it.

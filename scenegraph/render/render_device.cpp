@@ -25,11 +25,12 @@ void RenderDevice::warn_once(const std::string& text)
     if (told.insert(text).second && !is_rehearsal) log_warning(text);
 }
 
-void draw_full_screen(RenderDevice& device, const GpuProgram& program, const Uniforms& uniforms)
+void draw_full_screen(RenderDevice& device, const GpuProgram& program, const Uniforms& uniforms, Blending blending)
 {
     device.state.use(program);
     set_uniforms(program, uniforms, device.state);
-    device.state.apply({.depth_test = DepthTest::off, .writes_depth = false, .culling = Culling::off});
+    device.state.apply(
+        {.depth_test = DepthTest::off, .writes_depth = false, .blending = blending, .culling = Culling::off});
     device.state.bind(device.no_vertices);
     device.state.draw(Primitive::triangles, 0, 3);
 }

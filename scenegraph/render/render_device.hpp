@@ -36,7 +36,8 @@ struct RenderDevice {
     bool is_rehearsal = false;   ///< FrameOptions::is_rehearsal of the frame that is drawn.
 };
 
-/// Fills the bound target by a program for full-screen passes.
-void draw_full_screen(RenderDevice& device, const GpuProgram& program, const Uniforms& uniforms);
+/// Fills the bound target by a program for full-screen passes, or lays it over what is there.
+void draw_full_screen(RenderDevice& device, const GpuProgram& program, const Uniforms& uniforms,
+                      Blending blending = Blending::off);
 
 }  // namespace hw

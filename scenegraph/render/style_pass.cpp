@@ -63,6 +63,12 @@ Image StylePass::image(const ImageKey& key, std::size_t output) const
     return {};
 }
 
+DepthRange StylePass::depth_range(const ImageKey& key) const
+{
+    const auto found = frame_.scene.images.find(key);
+    return found == frame_.scene.images.end() ? DepthRange() : depth_range_of(found->second, frame_.scene.input, view_);
+}
+
 GpuTarget* StylePass::transient(const TargetDesc& target, bool has_depth)
 {
     const float scale = target.scale > 0.01f ? std::min(target.scale, 4.0f) : 0.01f;  // NaN is small, too
@@ -139,7 +145,7 @@ std::vector<DrawItem> StylePass::of_this_frame(Items items) const
 
 void StylePass::surfaces(Program program, const Uniforms& uniforms, Items items)
 {
-    if (stage_ == PassStage::images) return;
+    if (stage_ == PassStage::images || stage_ == PassStage::lines) return;
     FaceCall call = call_of(program, uniforms, items);
     if (stage_ == PassStage::base)
         frame_.results.opaque_faces.push_back(std::move(call));
@@ -157,6 +163,14 @@ void StylePass::lines(Program pen, const Uniforms& uniforms, const LineLook& loo
     if (frame_.device.programs.line(pen, 0) == nullptr) return;
     remark_unheard(pen, uniforms);
     draw_lines({pen, &uniforms}, look, items);
+}
+
+void StylePass::cover(Program program, const Uniforms& uniforms)
+{
+    const LinkedProgram* linked = frame_.device.programs.full_screen(program);
+    if (linked == nullptr || stage_ != PassStage::lines) return;
+    remark_unheard(program, uniforms);
+    draw_full_screen(frame_.device, linked->gpu, uniforms, Blending::over);
 }
 
 void StylePass::draw_lines(const LinePen& pen, const LineLook& look, Items items)

@@ -11,6 +11,7 @@ enum class PassStage : std::uint8_t {
     images,   ///< Nothing reaches the picture.
     base,     ///< An object's first style: opaque faces cover. They are collected in FrameResults::opaque_faces.
     over,     ///< Its second: faces at equal depth, mixed in by presence.
+    lines,    ///< The lines of both, over all of these.
     blended,  ///< Faces of glTF BLEND materials.
 };
 
@@ -33,11 +34,13 @@ class StylePass final : public Pass {
     Layer layer() const override { return stage_ == PassStage::blended ? Layer::blended : Layer::opaque; }
     Items opaque_scene() const override { return frame_.whole().opaque; }
     Image image(const ImageKey& key, std::size_t output) const override;
+    DepthRange depth_range(const ImageKey& key) const override;
     Images render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) override;
     Images filter(const TargetDesc& target, Program program, const Uniforms& uniforms) override;
     void surfaces(Program program, const Uniforms& uniforms, Items items) override;
     void lines(const LineLook& look, Items items) override;
     void lines(Program pen, const Uniforms& uniforms, const LineLook& look, Items items) override;
+    void cover(Program program, const Uniforms& uniforms) override;
 
  private:
     /// Items that styles hand back are theirs to get wrong: those that this frame did not make are refused, once told.

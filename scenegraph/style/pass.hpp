@@ -38,6 +38,12 @@ class Uniforms {
     std::vector<Entry> entries_;
 };
 
+/// Depths along the view, metres.
+struct DepthRange {
+    float near_m = 0.0f;
+    float far_m = 1.0f;
+};
+
 /// The only way to draw. The host owns targets, depth, polygon offset, clipping, presence and blending. Nothing throws.
 /// A pass with an invalid program, or with one that was made for something else, draws nothing and gives invalid
 /// images. An invalid image is sampled as (0, 0, 0, 1). Uniforms that a program does not have are ignored.
@@ -53,6 +59,9 @@ class Pass {
     virtual Items opaque_scene() const = 0;
     /// An image that the needs name, and which of its outputs; invalid when they do not name it, or nobody made it.
     virtual Image image(const ImageKey& key, std::size_t output = 0) const = 0;
+    /// Where along the view all objects lie whose style needs that image, itself or by another image: before the eye,
+    /// as tight as their bounds. Depends on the level and the view, never on what is visible.
+    virtual DepthRange depth_range(const ImageKey& key) const = 0;
     /// Draws items' faces into transient targets, cleared first; depth first, so that every pixel is shaded once.
     virtual Images render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items) = 0;
     /// A full-screen pass into transient targets. TargetDesc::depth is ignored.
@@ -65,6 +74,8 @@ class Pass {
     /// The same with a pen of the style's own (ProgramCache::line): it gives each fragment of the lines its colour and
     /// coverage. Widths, stray and thinning are the look's.
     virtual void lines(Program pen, const Uniforms& uniforms, const LineLook& look, Items items) = 0;
+    /// A full-screen pass laid over the picture by its alpha, where lines are drawn: in Style::lines() alone.
+    virtual void cover(Program program, const Uniforms& uniforms) = 0;
 };
 
 }  // namespace hw

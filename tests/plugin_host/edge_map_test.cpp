@@ -15,10 +15,12 @@ namespace {
 
 constexpr glm::ivec2 kSize{256, 192};
 
+using EdgeParams = std::map<std::string, ParamValue>;
+
 /// Shows what the edge map holds.
 class EdgeShow final : public Style {
  public:
-    explicit EdgeShow(std::string depth_operator) : key_{"edge_map", {{"operator", std::move(depth_operator)}}} {}
+    explicit EdgeShow(EdgeParams params) : key_{"edge_map", std::move(params)} {}
     Needs needs() const override
     {
         Needs needs;
@@ -66,14 +68,14 @@ Scene floor_and_sheet()
 }
 
 /// The picture: R and G are the edge map, 255 where there is no edge.
-Pixels drawn(const std::string& depth_operator)
+Pixels drawn(const EdgeParams& params = {}, float px_scale = 1.0f)
 {
     const auto context = make_headless_context();
     const Scene scene = floor_and_sheet();
     Renderer renderer(*context);
     StyleSet set(test_registry(),
                  [&](const std::filesystem::path& f) -> ProgramCache& { return renderer.program_cache(f); });
-    EdgeShow style(depth_operator);
+    EdgeShow style(params);
     style.prepare(renderer.program_cache(HATCHWAY_SOURCE_DIR "/tests/plugin_host/shaders"));
     SceneInput input;
     input.scene = &scene;
@@ -82,7 +84,7 @@ Pixels drawn(const std::string& depth_operator)
     input.objects[0].style = 0;
     input.image_passes = set.image_passes();
     renderer.load(std::move(input));
-    const View view = camera_view({{0, 1.7, 0}, {0, 1.7, -10}, 60}, kSize, scene.bounds_world);
+    const View view = camera_view({{0, 1.7, 0}, {0, 1.7, -10}, 60}, kSize, scene.bounds_world, px_scale);
     renderer.draw(view, {.samples = 1});
     EXPECT_TRUE(context->take_errors().empty());
     return renderer.read_picture();
@@ -97,26 +99,83 @@ int darkest(const Pixels& picture, int channel, glm::ivec2 from, glm::ivec2 to)
     return result;
 }
 
+/// The last row of the sheet: its border is 0.7 m below the eye at 6 m.
+const int kBorder = kSize.y / 2 + static_cast<int>(0.7 / 6.0 * kSize.y / (2.0 * 0.57735)) - 1;
+constexpr int kMiddle = 128;  // a column of the sheet
+
+/// Rows of the profile's ink (linear bytes arrive as sRGB: 0.78 and more of it) around the lower border in the middle
+/// column: how many above it and below, and whether one without ink lies between them.
+struct Span {
+    int above = 0, below = 0;
+    bool has_gap = false;
+};
+Span ink_at_border(const Pixels& picture)
+{
+    Span span;
+    const auto is_ink = [&](int y) { return picture.at(kMiddle, y)[1] < 128; };
+    for (int y = kBorder - 16; y <= kBorder + 16; ++y) (y <= kBorder ? span.above : span.below) += is_ink(y) ? 1 : 0;
+    for (int y = kBorder - span.above + 1; y <= kBorder + span.below; ++y) span.has_gap |= !is_ink(y);
+    return span;
+}
+
 }  // namespace
 
 TEST(edge_map, a_floor_at_a_grazing_angle_has_no_edges)
 {
-    for (const std::string depth_operator : {"diagonal", "c1"}) {
-        const Pixels picture = drawn(depth_operator);
-        for (const int channel : {0, 1})
-            EXPECT_GE(darkest(picture, channel, {4, 104}, {60, kSize.y - 4}), 250)
-                << depth_operator << ", channel " << channel;
-    }
+    const Pixels picture = drawn();
+    for (const int channel : {0, 1})
+        EXPECT_EQ(darkest(picture, channel, {4, 104}, {60, kSize.y - 1}), 255) << "channel " << channel;
 }
 
-TEST(edge_map, the_border_of_a_sheet_before_a_floor_has_edges_of_depth_and_of_normals)
+TEST(edge_map, the_border_of_a_sheet_before_a_floor_is_a_profile_edge_on_the_sheet_alone)
 {
-    for (const std::string depth_operator : {"diagonal", "c1"}) {
-        const Pixels picture = drawn(depth_operator);
-        // The lower border of the sheet: 0.7 m below the eye at 6 m.
-        const int border = kSize.y / 2 + static_cast<int>(0.7 / 6.0 * kSize.y / (2.0 * 0.57735));
-        EXPECT_LT(darkest(picture, 0, {128, border - 3}, {128, border + 3}), 160) << depth_operator;
-        EXPECT_LT(darkest(picture, 1, {128, border - 3}, {128, border + 3}), 128) << depth_operator;
-        EXPECT_GE(darkest(picture, 1, {118, kSize.y / 2 - 4}, {138, kSize.y / 2 + 4}), 250) << depth_operator;
+    const Pixels picture = drawn();
+    const Span ink = ink_at_border(picture);
+    EXPECT_EQ(ink.above, 1);
+    EXPECT_EQ(ink.below, 0);
+    EXPECT_EQ(darkest(picture, 0, {kMiddle, kBorder - 3}, {kMiddle, kBorder + 3}), 255) << "no inner edge";
+    EXPECT_EQ(darkest(picture, 1, {118, kSize.y / 2 - 4}, {138, kSize.y / 2 + 4}), 255) << "nothing on the sheet";
+}
+
+TEST(edge_map, the_operators_of_2003_mark_both_sides_of_the_border)
+{
+    for (const std::string format : {"rgba8", "rgba32f"})
+        for (const std::string name : {"diagonal", "c1", "c1_three_passes"}) {
+            const Pixels picture =
+                drawn({{"operator", name}, {"format", format}, {"normal", std::string("geometric")}});
+            EXPECT_EQ(darkest(picture, 1, {118, kSize.y / 2 - 4}, {138, kSize.y / 2 + 4}), 255)
+                << "on the sheet, " << name;
+            EXPECT_LT(darkest(picture, 0, {kMiddle, kBorder}, {kMiddle, kBorder}), 200) << name << ' ' << format;
+            EXPECT_LT(darkest(picture, 0, {kMiddle, kBorder + 1}, {kMiddle, kBorder + 1}), 200)
+                << name << ' ' << format;
+        }
+}
+
+TEST(edge_map, is_as_wide_as_asked_without_gaps_on_the_nearer_side)
+{
+    for (int width = 1; width <= 8; ++width)
+        for (const float px_scale : {1.0f, 2.0f}) {
+            const Span ink = ink_at_border(drawn({{"width_px", static_cast<double>(width)}}, px_scale));
+            EXPECT_EQ(ink.above, std::min(static_cast<int>(width * px_scale), 17)) << width << " at " << px_scale;
+            EXPECT_EQ(ink.below, 0) << width;
+            EXPECT_FALSE(ink.has_gap) << width;
+        }
+}
+
+TEST(edge_map, of_2003_grows_to_both_sides)
+{
+    const Pixels wide = drawn({{"operator", std::string("diagonal")}, {"inner_width_px", 8.0}});
+    EXPECT_LT(darkest(wide, 0, {kMiddle, kBorder - 3}, {kMiddle, kBorder - 3}), 200);
+    EXPECT_LT(darkest(wide, 0, {kMiddle, kBorder + 4}, {kMiddle, kBorder + 4}), 200);
+    EXPECT_EQ(darkest(wide, 0, {kMiddle, kBorder - 8}, {kMiddle, kBorder - 8}), 255);
+}
+
+TEST(edge_map, a_halo_reaches_beyond_the_object_as_far_as_asked)
+{
+    for (int halo = 0; halo <= 8; halo += 2) {
+        const Span ink = ink_at_border(drawn({{"halo_px", static_cast<double>(halo)}}));
+        EXPECT_EQ(ink.below, halo);
+        EXPECT_EQ(ink.above, 1);
+        EXPECT_FALSE(ink.has_gap);
     }
 }

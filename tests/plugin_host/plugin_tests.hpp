@@ -71,6 +71,8 @@ struct FakePass final : Pass {
     const View& view() const override { return a_view; }
     Layer layer() const override { return a_layer; }
     Items opaque_scene() const override { return {}; }
+    DepthRange depth_range(const ImageKey&) const override { return {}; }
+    void cover(Program, const Uniforms&) override {}
     Image image(const ImageKey&, std::size_t) const override { return {}; }
     Images render(const TargetDesc&, Program, const Uniforms&, Items) override { return made(1); }
     Images filter(const TargetDesc&, Program, const Uniforms& uniforms) override

@@ -85,24 +85,26 @@ std::string shader_name(const fs::path& file)
     return of_engine.string().starts_with("..") ? file.filename().string() : of_engine.string();
 }
 
-/// The vertex stage that a fragment stage goes with.
-std::string vertex_file_for(const fs::path& fragment)
+/// The vertex stage that a fragment stage goes with; `text`: with all that it includes.
+std::string vertex_file_for(const fs::path& fragment, const std::string& text)
 {
     fs::path own = fragment;
     if (fs::exists(own.replace_extension(".vert"))) return shader_name(own);
-    const std::string text = text_of(fragment);
-    if (text.find("line_pen.glsl") != std::string::npos) return "lines/line_quad.vert";
-    return text.find("full_screen.glsl") == std::string::npos ? "surface.vert" : "full_screen.vert";
+    if (text.find("HwLine hw_line()") != std::string::npos) return "lines/line_quad.vert";
+    return text.find("in vec2 hw_v_uv;") == std::string::npos ? "surface.vert" : "full_screen.vert";
 }
 
-/// The define lines that the C++ of a folder gives to this shader: none, each, and each two of them.
+/// The define lines that the C++ of a folder and of the kit gives to this shader: none, each, and each two of them.
 std::set<std::string> defines_for(const std::string& shader, const fs::path& folder)
 {
     static const std::regex quoted(R"re("((?:#define \w+(?: \w+)?\\n)+)")re");
     std::set<std::string> single;
-    for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
-        if (file.path().extension() != ".cpp") continue;
-        const std::string text = text_of(file.path());
+    std::vector<fs::path> sources;
+    for (const fs::path& from : {folder, kKit})
+        for (const fs::directory_entry& file : fs::recursive_directory_iterator(from))
+            if (file.path().extension() == ".cpp" || file.path().extension() == ".hpp") sources.push_back(file.path());
+    for (const fs::path& source : sources) {
+        const std::string text = text_of(source);
         for (std::sregex_iterator match(text.begin(), text.end(), quoted), end; match != end; ++match) {
             const std::string lines = std::regex_replace((*match)[1].str(), std::regex(R"(\\n)"), "\n");
             const std::string word = lines.substr(8, lines.find_first_of(" \n", 8) - 8);
@@ -143,12 +145,13 @@ void take_folder(const fs::path& folder, const fs::path& source,
     for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
         if (file.path().extension() != ".frag") continue;
         const std::string fragment = shader_name(file.path());
-        const std::string vertex = vertex_file_for(file.path());
+        const std::string text = load_shader(fragment, folders, {}).text;
+        const std::string vertex = vertex_file_for(file.path(), text);
         // A pen always knows its stroke.
         const bool is_pen = vertex == "lines/line_quad.vert" && folder != kEngineShaders;
         for (const auto& [name, features] : features_for(vertex)) {
             if (is_pen && features.find("HW_STROKE") == std::string::npos) continue;
-            for (const std::string& defines : defines_for(load_shader(fragment, folders, {}).text, source))
+            for (const std::string& defines : defines_for(text, source))
                 take({.name = fragment + " (" + name + ", " + defines + ")",
                       .vertex = load_shader(vertex, folders, features + defines),
                       .fragment = load_shader(fragment, folders, features + defines)});
@@ -165,7 +168,7 @@ void for_each_program(const std::function<void(const AssembledProgram&)>& take)
     take_folder(kSource / "tests/plugin_host/shaders", kSource / "tests/plugin_host", take);
     for (const fs::path& folder : {kSource / "npr_plugins", kSource / "docs/examples"})
         for (const fs::directory_entry& plugin : fs::directory_iterator(folder))
-            if (plugin.is_directory() && plugin.path() != kKit) take_folder(plugin.path(), plugin.path(), take);
+            if (plugin.is_directory()) take_folder(plugin.path(), plugin.path(), take);
 }
 
 }  // namespace hw::test

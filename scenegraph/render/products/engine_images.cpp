@@ -3,56 +3,116 @@
 #include <algorithm>
 #include <array>
 
-#include "hatchway/core/error.hpp"
+#include "hatchway/param/param_reader.hpp"
 
 namespace hw {
 namespace {
 
-struct EngineImageKind {
-    std::string_view name;
-    const char* fragment_file;
-    PixelFormat format;
-    bool numbers_triangles;
-};
-
-constexpr std::array<EngineImageKind, 3> kKinds{{
-    {"normal_depth", "images/normal_depth.frag", PixelFormat::rgba32f, false},
-    {"object_ids", "images/object_ids.frag", PixelFormat::r32ui, false},
-    {"triangle_ids", "images/triangle_ids.frag", PixelFormat::r32ui, true},
-}};
-
-class EngineImage final : public ImagePass {
- public:
-    explicit EngineImage(const EngineImageKind& kind) : kind_(kind) {}
-
-    Needs needs() const override
-    {
-        Needs needs;
-        needs.streams.triangle_id = kind_.numbers_triangles;
-        return needs;
+/// Objects of other styles that lie wholly behind all objects whose style needs the image hide none of them, and are
+/// left out.
+std::vector<DrawItem> without_what_lies_behind(const Pass& pass, Items items, float far_m)
+{
+    const View& view = pass.view();
+    const glm::dmat4 to_view(view.view_from_world);
+    const glm::dvec3 along = -glm::dvec3(to_view[0][2], to_view[1][2], to_view[2][2]);
+    std::vector<DrawItem> kept;
+    for (const DrawItem& item : items) {
+        const Box& bounds = item.bounds_world();
+        const double nearest_m =
+            glm::dot(bounds.centre() - view.eye_world, along) - 0.5 * glm::dot(glm::abs(along), bounds.size());
+        if (bounds.is_empty() || nearest_m <= far_m) kept.push_back(item);
     }
-    void prepare(ProgramCache& programs) override { program_ = programs.surface(kind_.fragment_file); }
+    return kept;
+}
+
+class NormalDepth final : public ImagePass {
+ public:
+    explicit NormalDepth(const ImageKey& key) : key_(key) {}
+
+    void visit_params(ParamVisitor& visitor) override
+    {
+        static constexpr std::array<std::string_view, 3> kFormats{"rgba32f", "rgba16f", "rgba8"};
+        static constexpr std::array<std::string_view, 3> kNormals{"geometric", "shading", "face"};
+        visitor.choice(
+            {"format", "Of the image: rgba8 holds depth over the range of the objects.", ParamChange::rebuild}, format_,
+            kFormats);
+        visitor.choice(
+            {"normal", "Which: interpolated, the same with the normal map, or the triangle's.", ParamChange::rebuild},
+            normal_, kNormals);
+    }
+    Needs needs() const override { return {}; }
+    void prepare(ProgramCache& programs) override
+    {
+        static constexpr std::array<std::string_view, 3> kOfNormal{"", "#define NORMAL_SHADING 1\n",
+                                                                   "#define NORMAL_FACE 1\n"};
+        std::string defines(kOfNormal[static_cast<std::size_t>(normal_)]);
+        defines.append(format_ == Format::rgba8 ? "#define NORMAL_DEPTH_BYTES 1\n" : "");
+        program_ = programs.surface("images/normal_depth.frag", defines);
+    }
     Images make(Pass& pass, Items) override
     {
-        return pass.render({.outputs = {{.format = kind_.format}}}, program_, {}, pass.opaque_scene());
+        static constexpr std::array kFormats{PixelFormat::rgba32f, PixelFormat::rgba16f, PixelFormat::rgba8};
+        const DepthRange range = pass.depth_range(key_);
+        const bool is_bytes = format_ == Format::rgba8;
+        const TargetOutput output{.format = kFormats[static_cast<std::size_t>(format_)],
+                                  .filter = PixelFilter::nearest,
+                                  .clear = is_bytes ? glm::vec4(0.5f, 0.5f, 0.5f, 1.0f) : glm::vec4(0.0f)};
+        Uniforms uniforms;
+        if (is_bytes) uniforms.set("depth_range_m", glm::vec2(range.near_m, range.far_m));
+        return pass.render({.outputs = {output}}, program_, uniforms,
+                           without_what_lies_behind(pass, pass.opaque_scene(), range.far_m));
     }
 
  private:
-    const EngineImageKind& kind_;
+    enum class Format { rgba32f, rgba16f, rgba8 };
+    enum class Normal { geometric, shading, face };
+
+    ImageKey key_;
+    Format format_ = Format::rgba32f;
+    Normal normal_ = Normal::geometric;
     Program program_;
 };
+
+/// The numbers of objects or triangles.
+class Ids final : public ImagePass {
+ public:
+    explicit Ids(bool of_triangles) : of_triangles_(of_triangles) {}
+
+    Needs needs() const override { return {.streams = {.triangle_id = of_triangles_}}; }
+    void prepare(ProgramCache& programs) override
+    {
+        program_ = programs.surface(of_triangles_ ? "images/triangle_ids.frag" : "images/object_ids.frag");
+    }
+    Images make(Pass& pass, Items) override
+    {
+        return pass.render({.outputs = {{.format = PixelFormat::r32ui}}}, program_, {}, pass.opaque_scene());
+    }
+
+ private:
+    bool of_triangles_;
+    Program program_;
+};
+
+std::unique_ptr<ImagePass> engine_image(const ImageKey& key)
+{
+    if (key.pass == "normal_depth") return std::make_unique<NormalDepth>(key);
+    if (key.pass == "object_ids") return std::make_unique<Ids>(false);
+    if (key.pass == "triangle_ids") return std::make_unique<Ids>(true);
+    return nullptr;
+}
 
 }  // namespace
 
 ImagePassSource with_engine_images(ImagePassSource others, ProgramCache& programs)
 {
     return [others = std::move(others), &programs](const ImageKey& key) -> std::unique_ptr<ImagePass> {
-        const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
-                                       [&](const EngineImageKind& candidate) { return candidate.name == key.pass; });
-        if (kind == kKinds.end()) return others ? others(key) : nullptr;
-        if (!key.params.empty())
-            throw Error({.what = "the image " + key.pass + " is asked for with parameters", .expected = "none"});
-        auto pass = std::make_unique<EngineImage>(*kind);
+        std::unique_ptr<ImagePass> pass = engine_image(key);
+        if (pass == nullptr) return others ? others(key) : nullptr;
+        ParamSettings params;
+        for (const auto& [name, value] : key.params) params[name] = {value, "/images/" + key.pass + "/" + name};
+        ParamReader reader(params, "");
+        pass->visit_params(reader);
+        reader.refuse_unknown();
         pass->prepare(programs);
         return pass;
     };
