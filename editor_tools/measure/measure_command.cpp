@@ -10,6 +10,7 @@ void add_measure_command(CommandLine app)
     measure.require_subcommand();
     add_measure_bsp(measure);
     add_measure_coherence(measure);
+    add_measure_edge_map(measure);
     add_measure_frame(measure);
     add_measure_hatch(measure);
     add_measure_ink(measure);

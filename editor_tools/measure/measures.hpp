@@ -9,6 +9,7 @@ namespace hw {
 
 void add_measure_bsp(CommandLine measure);
 void add_measure_coherence(CommandLine measure);
+void add_measure_edge_map(CommandLine measure);
 void add_measure_frame(CommandLine measure);
 void add_measure_hatch(CommandLine measure);
 void add_measure_ink(CommandLine measure);

@@ -19,6 +19,8 @@ class ExactLines {
     const Level& level() const { return level_; }
     const LevelWorld& world() const { return *world_; }
     const Scene& scene() const { return world_->scene; }
+    /// What the lines of find() are edges of.
+    const std::vector<LineObject>& objects() const { return lines_.objects(); }
 
     /// What it took to make adjacency, edge table, seams and intersections of the imported scene.
     double prepare_s() const { return prepare_s_; }

@@ -1,11 +1,8 @@
 #include "measure/lines/ray_judge.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <optional>
 
 namespace hw {
@@ -21,33 +18,6 @@ constexpr double kStraightCosine = 0.9998;
 constexpr double kStraightShare = 1e-3;  // off the plane, of the distance
 constexpr double kFlatCosine = 1.0 - 1e-6;
 constexpr double kFlatShare = 1e-5;
-
-/// The pinhole, eye-relative.
-struct Pinhole {
-    explicit Pinhole(const JudgeCamera& camera) : size_px(camera.size_px), near_m(camera.near_m)
-    {
-        forward = glm::normalize(camera.target_world - camera.eye_world);
-        right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
-        up = glm::cross(right, forward);
-        focal_px = 0.5 * size_px.y / std::tan(0.5 * camera.fov_rad);
-    }
-    double depth(const glm::dvec3& way) const { return glm::dot(way, forward); }
-    glm::dvec2 project(const glm::dvec3& way) const
-    {
-        return 0.5 * glm::dvec2(size_px) + focal_px / depth(way) * glm::dvec2(glm::dot(way, right), -glm::dot(way, up));
-    }
-    glm::dvec3 ray(const glm::dvec2& at_px) const
-    {
-        const glm::dvec2 off = at_px - 0.5 * glm::dvec2(size_px);
-        return glm::normalize(focal_px * forward + off.x * right - off.y * up);
-    }
-    bool holds(const glm::dvec2& p) const { return p.x >= 0.0 && p.y >= 0.0 && p.x < size_px.x && p.y < size_px.y; }
-
-    glm::dvec3 forward, right, up;
-    double focal_px;
-    glm::ivec2 size_px;
-    double near_m;
-};
 
 /// Pixels within the reach of something.
 class Mask {
@@ -90,71 +60,6 @@ void walk(const JudgedLine& line, const Pinhole& pinhole, const Use& use)
     }
 }
 
-struct Hit {
-    double share = 1.0;  ///< Of the ray's given length.
-    glm::dvec3 normal{0.0};
-};
-
-/// The triangles that hide something from one eye, around it.
-class Blockers {
- public:
-    Blockers() : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {}
-    ~Blockers()
-    {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-    Blockers(const Blockers&) = delete;
-    Blockers& operator=(const Blockers&) = delete;
-
-    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
-    {
-        for (const glm::dvec3& p : {a, b, c}) positions_.emplace_back(p);
-    }
-    void commit()
-    {
-        const std::size_t count = positions_.size() / 3;
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positions_.size()));
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
-        std::copy(positions_.begin(), positions_.end(), vertices);
-        for (std::uint32_t i = 0; i < 3 * count; ++i) indices[i] = i;
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        rtcCommitScene(scene_);
-    }
-
-    /// The first triangle on the way from the eye, not beyond `most` of it.
-    std::optional<Hit> first(const glm::dvec3& way, double most) const
-    {
-        ++rays;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit ray{};
-        ray.ray.dir_x = static_cast<float>(way.x);
-        ray.ray.dir_y = static_cast<float>(way.y);
-        ray.ray.dir_z = static_cast<float>(way.z);
-        ray.ray.tfar = static_cast<float>(most);
-        ray.ray.mask = ~0u;
-        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &ray);
-        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-        const glm::dvec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
-        return Hit{ray.ray.tfar, glm::normalize(normal)};
-    }
-
-    mutable std::uint64_t rays = 0;
-
- private:
-    std::vector<glm::vec3> positions_;
-    RTCDevice device_;
-    RTCScene scene_;
-};
-
 /// How far the surface that is seen on both sides of an edge is from one plane, in which no line is to be.
 struct Bend {
     double cosine = -1.0;  ///< Between the normals.
@@ -164,12 +69,12 @@ struct Bend {
     bool is_surely_none() const { return cosine >= kFlatCosine && step < kFlatShare; }
 };
 
-Bend bend_at(const Blockers& blockers, const Pinhole& pinhole, const glm::dvec2& at, const glm::dvec2& across)
+Bend bend_at(const EyeRays& rays, const Pinhole& pinhole, const glm::dvec2& at, const glm::dvec2& across)
 {
     constexpr double kFar = 1e9;
     const glm::dvec3 left_way = pinhole.ray(at - kBeside_px * across);
     const glm::dvec3 right_way = pinhole.ray(at + kBeside_px * across);
-    const auto left = blockers.first(left_way, kFar), right = blockers.first(right_way, kFar);
+    const auto left = rays.first(left_way, kFar), right = rays.first(right_way, kFar);
     if (!left || !right) return {};
     const glm::dvec3 step = right->share * right_way - left->share * left_way;
     return {std::abs(glm::dot(left->normal, right->normal)), std::abs(glm::dot(step, left->normal)) / left->share};
@@ -189,28 +94,12 @@ void RayVerdict::add(const RayVerdict& other)
     rays += other.rays;
 }
 
-RayJudge::RayJudge(const Scene& scene, double crease_rad)
+RayJudge::RayJudge(const Scene& scene, double crease_rad) : triangles_(hiding_triangles(scene))
 {
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) add_object(scene, id, crease_rad);
-}
-
-void RayJudge::add_object(const Scene& scene, ObjectId id, double crease_rad)
-{
-    const Object& object = scene.objects[id];
-    const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
-    const Material& material = scene.materials[static_cast<std::size_t>(object.material)];
-    const glm::dmat4& matrix = scene.world_from_object(id);
-    const bool is_mirrored = glm::determinant(glm::dmat3(matrix)) < 0.0;
-    const bool hides = material.alpha_mode != AlphaMode::blend;
-    for (std::size_t i = 0; hides && i + 2 < mesh.indices.size(); i += 3) {
-        const auto corner = [&](std::size_t k) {
-            return glm::dvec3(matrix * glm::dvec4(glm::dvec3(mesh.positions[mesh.indices[i + k]]), 1.0));
-        };
-        const glm::dvec3 a = corner(0), b = corner(is_mirrored ? 2 : 1), c = corner(is_mirrored ? 1 : 2);
-        triangles_.push_back({a, b, c, !material.is_double_sided});
+    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
+        const std::vector<JudgedEdge> edges = judged_edges(scene, id, crease_rad);
+        edges_.insert(edges_.end(), edges.begin(), edges.end());
     }
-    const std::vector<JudgedEdge> edges = judged_edges(scene, id, crease_rad);
-    edges_.insert(edges_.end(), edges.begin(), edges.end());
 }
 
 /// One view that is being judged.
@@ -219,15 +108,11 @@ struct RayJudge::Look {
          std::span<const JudgedLine> drawn)
         : eye(camera.eye_world),
           pinhole(camera),
+          rays(judge.triangles_, camera.eye_world),
           is_found(camera.size_px),
           is_drawn(camera.size_px),
           may_be(camera.size_px)
     {
-        for (const Triangle& t : judge.triangles_) {
-            const glm::dvec3 a = t.a - eye, b = t.b - eye, c = t.c - eye;
-            if (!t.is_culled || glm::dot(glm::cross(b - a, c - a), a) < 0.0) blockers.add(a, b, c);
-        }
-        blockers.commit();
         for (const JudgedLine& line : found) walk(line, pinhole, [&](const auto& p, double) { is_found.add(p); });
         for (const JudgedLine& line : drawn) walk(line, pinhole, [&](const auto& p, double) { is_drawn.add(p); });
     }
@@ -236,9 +121,9 @@ struct RayJudge::Look {
                       double length)
     {
         verdict.candidates_px += length;
-        const auto before = blockers.first(way, kSeen);
+        const auto before = rays.first(way, kSeen);
         if (before && before->share < kHidden) return;
-        const Bend bend = bend_at(blockers, pinhole, at, across);
+        const Bend bend = bend_at(rays, pinhole, at, across);
         if (!bend.is_surely_none()) may_be.add(at);
         if (before || !edge.is_sure || bend.may_be_none()) return;
         verdict.visible_px += length;
@@ -303,7 +188,7 @@ struct RayJudge::Look {
     std::vector<std::uint8_t>* to_show = nullptr;
     glm::dvec3 eye;
     Pinhole pinhole;
-    Blockers blockers;
+    EyeRays rays;
     Mask is_found, is_drawn, may_be;
     RayVerdict verdict;
 };
@@ -318,7 +203,7 @@ RayVerdict RayJudge::judge(const JudgeCamera& camera, std::span<const JudgedLine
     for (const JudgedEdge& edge : edges_)
         if (look.is_line(edge)) look.judge_edge(edge);
     for (const JudgedLine& line : found) look.judge_found(line);
-    look.verdict.rays = look.blockers.rays;
+    look.verdict.rays = look.rays.count();
     return look.verdict;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hatchway/world/scene.hpp"
+#include "measure/lines/eye_rays.hpp"
 #include "measure/lines/judged_edges.hpp"
 
 namespace hw {
@@ -32,15 +33,6 @@ struct RayVerdict {
     void add(const RayVerdict& other);
 };
 
-/// Where the judge looks from: a pinhole with +y up.
-struct JudgeCamera {
-    glm::dvec3 eye_world{0.0};
-    glm::dvec3 target_world{0.0, 0.0, -1.0};
-    double fov_rad = 1.0;  ///< Vertical.
-    glm::ivec2 size_px{1280, 720};
-    double near_m = 0.01;
-};
-
 /// What a pixel shows of a verdict.
 enum JudgedPixel : std::uint8_t { judged_paper, judged_found, judged_missed, judged_thinned, judged_extra };
 
@@ -60,16 +52,10 @@ class RayJudge {
                      std::vector<std::uint8_t>* to_show = nullptr) const;
 
  private:
-    struct Triangle {
-        glm::dvec3 a{0.0}, b{0.0}, c{0.0};
-        bool is_culled = false;
-    };
-
     struct Look;
-    void add_object(const Scene& scene, ObjectId id, double crease_rad);
 
     std::vector<JudgedEdge> edges_;
-    std::vector<Triangle> triangles_;
+    std::vector<HidingTriangle> triangles_;
 };
 
 }  // namespace hw
