@@ -15,7 +15,7 @@ function(hatchway_share name folder)
 endfunction()
 
 hatchway_share(shaders scenegraph/render/shaders "*.glsl" "*.vert" "*.frag")
-hatchway_share(kit npr_plugins/kit "*.glsl")
+hatchway_share(kit npr_plugins/kit "*.glsl" "*.frag")
 hatchway_share(new_style editor_tools/new_style "*.in")
 hatchway_share(levels content/levels "*.json" "*.lightmap")
 hatchway_share(models content/models "*.glb")

@@ -552,6 +552,14 @@ def readme_pictures(studio):
     write_png(os.path.join(pages, "pen_and_ink", "by_hand.png"), studio.render(by_hand, "--camera", "columns", size="960x600"))
     outside = studio.render(hall_in("photoreal"), "--camera", "courtyard", size="960x600")
     write_png(os.path.join(pages, "photoreal", "photoreal.png"), outside)
+    pages_of_lines(studio)
+
+
+def pages_of_lines(studio):
+    """The hall in the styles whose lines come from the edge map."""
+    for style in ("technical", "cartoon", "halftone"):
+        picture = studio.render(hall_in(style), "--camera", "entrance", size="960x600")
+        write_png(os.path.join(ROOT, "npr_plugins", style, f"{style}.png"), picture)
 
 
 MODELS = {"teapot": teapot, "dungeon": dungeon}

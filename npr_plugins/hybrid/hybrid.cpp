@@ -2,6 +2,7 @@
 #include "hatchway/kit/far_lines.hpp"
 #include "hatchway/kit/height_ramp.hpp"
 #include "hatchway/kit/ink_look.hpp"
+#include "hatchway/kit/lines_look.hpp"
 
 namespace {
 
@@ -26,13 +27,14 @@ class Hybrid final : public hw::Style {
         visitor.real({"line_presence", "Share of the lines where the object is photoreal."}, line_presence_, 0.0f,
                      1.0f);
         hw::visit_far_lines(visitor, far_);
+        lines_.visit_params(visitor);
         ink_look_.visit_params(visitor);
     }
 
     hw::Needs needs() const override
     {
         hw::Needs needs;
-        needs.edges = hw::EdgeNeed{.crease_rad = crease_rad_};
+        lines_.add_needs(needs, look(), edges());
         ink_look_.add_needs(needs);
         needs.shadow = hw::ShadowNeed::main_light;
         needs.lightmap = true;
@@ -41,8 +43,12 @@ class Hybrid final : public hw::Style {
 
     void prepare(hw::ProgramCache& programs) override
     {
-        program_ = programs.surface("hybrid.frag", "#define TONE_SHADED 1\n#define MATERIAL_COLOUR 1\n");
+        program_ =
+            programs.surface("hybrid.frag", lines_.defines() + "#define TONE_SHADED 1\n#define MATERIAL_COLOUR 1\n");
+        lines_.prepare(programs);
     }
+
+    void images(hw::Pass& pass, hw::Items items) override { lines_.images(pass, items); }
 
     void surfaces(hw::Pass& pass, hw::Items items) override
     {
@@ -52,15 +58,14 @@ class Hybrid final : public hw::Style {
                 .set("shade", 0.0f)
                 .set("ink_fade", glm::vec4(0.0f));
             ink_look_.set_uniforms(uniforms, tint_);
+            lines_.set_uniforms(uniforms.set("line_presence", line_presence_), pass, look(), edges());
             pass.surfaces(program_, uniforms, together);
         });
     }
 
     void lines(hw::Pass& pass, hw::Items items) override
     {
-        hw::LineLook look;
-        look.all({line_width_px_, ink_});
-        look.far = far_;
+        hw::LineLook look = this->look();
         gradient_.each(items, [&](const std::optional<hw::Ramp>& rise, hw::Items together) {
             look.share.height.reset();
             if (rise && line_presence_ < 1.0f) {
@@ -68,16 +73,28 @@ class Hybrid final : public hw::Style {
                 const float height_m = rise->to - rise->from;
                 look.share.height = hw::Ramp{rise->from - line_presence_ * height_m, rise->to - 0.5f * height_m};
             }
-            pass.lines(look, together);
+            lines_.draw(pass, look, together);
         });
+        lines_.draw_halo(pass, look, edges());
     }
 
  private:
+    hw::EdgeNeed edges() const { return {.crease_rad = crease_rad_}; }
+
+    hw::LineLook look() const
+    {
+        hw::LineLook look;
+        look.all({line_width_px_, ink_});
+        look.far = far_;
+        return look;
+    }
+
     float ink_weight_ = 1.0f;
     hw::HeightRamp gradient_{hw::HeightRamp::Over::object, {0.25f, 0.75f}};
     glm::vec3 tint_{1.0f}, ink_{0.07f, 0.06f, 0.06f};
     float crease_rad_ = glm::radians(40.0f), line_width_px_ = 1.4f, line_presence_ = 0.0f;
     hw::FarPolicy far_;
+    hw::LinesLook lines_{hw::LinesLook::From::object};
     hw::InkLook ink_look_;
     hw::Program program_;
 };

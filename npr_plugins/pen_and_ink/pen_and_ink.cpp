@@ -4,6 +4,7 @@
 #include "hatchway/kit/far_lines.hpp"
 #include "hatchway/kit/height_ramp.hpp"
 #include "hatchway/kit/ink_look.hpp"
+#include "hatchway/kit/lines_look.hpp"
 
 namespace {
 
@@ -43,7 +44,7 @@ class PenAndInk final : public hw::Style {
     hw::Needs needs() const override
     {
         hw::Needs needs;
-        needs.edges = hw::EdgeNeed{.crease_rad = crease_rad_, .intersections = intersection_width_px_ > 0.0f};
+        lines_.add_needs(needs, look(), edges());
         ink_look_.add_needs(needs);
         needs.shadow = is_shaded() || shade_ > 0.0f ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
         needs.lightmap = needs.shadow != hw::ShadowNeed::none;
@@ -56,13 +57,16 @@ class PenAndInk final : public hw::Style {
 
     void prepare(hw::ProgramCache& programs) override
     {
-        std::string defines;
+        std::string defines = lines_.defines();
         if (tone_ == Tone::plain) defines += "#define TONE_PLAIN 1\n";
         if (is_shaded()) defines += "#define TONE_SHADED 1\n";
         if (tone_ == Tone::halftone) defines += "#define TONE_HALFTONE 1\n";
         if (ink_look_.has_material_colour()) defines += "#define MATERIAL_COLOUR 1\n";
         program_ = programs.surface("pen_and_ink.frag", defines);
+        lines_.prepare(programs);
     }
+
+    void images(hw::Pass& pass, hw::Items items) override { lines_.images(pass, items); }
 
     void surfaces(hw::Pass& pass, hw::Items items) override
     {
@@ -70,11 +74,21 @@ class PenAndInk final : public hw::Style {
             hw::Uniforms uniforms;
             uniforms.set("shade", shade_).set("ink_fade", hw::share_uniform(fade ? 1.0f : 0.0f, fade));
             ink_look_.set_uniforms(uniforms, paper_);
+            lines_.set_uniforms(uniforms, pass, look(), edges());
             pass.surfaces(program_, uniforms, together);
         });
     }
 
     void lines(hw::Pass& pass, hw::Items items) override
+    {
+        lines_.draw(pass, look(), items);
+        lines_.draw_halo(pass, look(), edges());
+    }
+
+ private:
+    hw::EdgeNeed edges() const { return {.crease_rad = crease_rad_, .intersections = intersection_width_px_ > 0.0f}; }
+
+    hw::LineLook look() const
     {
         using hw::LineClass;
         hw::LineLook look;
@@ -87,14 +101,14 @@ class PenAndInk final : public hw::Style {
         look.stroke = stroke_;
         look.depth_taper = depth_taper_;
         look.far = far_;
-        pass.lines(look, items);
+        return look;
     }
 
- private:
     bool is_shaded() const { return tone_ == Tone::shaded || tone_ == Tone::halftone; }
 
     void visit_lines(hw::ParamVisitor& visitor)
     {
+        lines_.visit_params(visitor);
         visitor.angle(
             {"crease_deg", "Edges folded by more than this are drawn from every viewpoint.", hw::ParamChange::rebuild},
             crease_rad_, 1.0f, 180.0f);
@@ -128,6 +142,7 @@ class PenAndInk final : public hw::Style {
     float line_width_px_ = 1.2f, valley_width_px_ = 1.2f, silhouette_width_px_ = 1.9f, border_width_px_ = 1.9f;
     float intersection_width_px_ = 1.2f;
     hw::StrokeCharacter stroke_;
+    hw::LinesLook lines_{hw::LinesLook::From::object};
     glm::vec3 crease_colour_{0.07f, 0.06f, 0.06f};
     hw::FarPolicy far_;
     Tone tone_ = Tone::shaded;

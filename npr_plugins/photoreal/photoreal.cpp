@@ -1,5 +1,5 @@
 // Photoreal: the model as it was made, with textures, lit by the level's lights.
-#include "hatchway/style/style.hpp"
+#include "hatchway/kit/lines_look.hpp"
 
 namespace {
 
@@ -13,6 +13,8 @@ class Photoreal final : public hw::Style {
                        tint_);
         visitor.flag({"shadows", "Whether the main light casts shadows on the object.", hw::ParamChange::rebuild},
                      has_shadows_);
+        pens_.visit_params(visitor);
+        lines_.visit_params(visitor);
     }
 
     hw::Needs needs() const override
@@ -20,16 +22,30 @@ class Photoreal final : public hw::Style {
         hw::Needs needs;
         needs.lightmap = true;
         needs.shadow = has_shadows_ ? hw::ShadowNeed::main_light : hw::ShadowNeed::none;
+        lines_.add_needs(needs, pens_.look(), pens_.edges());
         return needs;
     }
 
-    void prepare(hw::ProgramCache& programs) override { program_ = programs.surface("photoreal.frag"); }
+    void prepare(hw::ProgramCache& programs) override
+    {
+        program_ = programs.surface("photoreal.frag", lines_.defines());
+        lines_.prepare(programs);
+    }
+
+    void images(hw::Pass& pass, hw::Items items) override { lines_.images(pass, items); }
 
     void surfaces(hw::Pass& pass, hw::Items items) override
     {
         hw::Uniforms uniforms;
         uniforms.set("brightness", brightness_).set("saturation", saturation_).set("tint", hw::linear_colour(tint_));
+        lines_.set_uniforms(uniforms, pass, pens_.look(), pens_.edges());
         pass.surfaces(program_, uniforms, items);
+    }
+
+    void lines(hw::Pass& pass, hw::Items items) override
+    {
+        lines_.draw(pass, pens_.look(), items);
+        lines_.draw_halo(pass, pens_.look(), pens_.edges());
     }
 
  private:
@@ -37,6 +53,8 @@ class Photoreal final : public hw::Style {
     float saturation_ = 1.0f;
     glm::vec3 tint_{1.0f};
     bool has_shadows_ = true;
+    hw::TwoPens pens_;
+    hw::LinesLook lines_{hw::LinesLook::From::none};
     hw::Program program_;
 };
 

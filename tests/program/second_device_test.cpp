@@ -37,6 +37,7 @@ std::vector<Shown> what_is_shown()
     return {{"hall_photoreal", hall_in("photoreal")},
             {"hall_pen_and_ink", hall_in("pen_and_ink")},
             {"hall_hybrid", hall_in("hybrid")},
+            {"hall_technical", hall_in("technical")},
             {"hall_plan", from_above},
             {"prism_level", {(kContent / "levels/prism.level.json").string()}},
             {"hall_level", {(kContent / "levels/hall.level.json").string(), "--camera", "entrance"}}};

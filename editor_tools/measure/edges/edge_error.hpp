@@ -15,9 +15,10 @@ namespace hw {
 struct EdgeError {
     using PerKind = std::array<double, kEdgeKindCount>;
 
-    PerKind wanted_px{};    ///< Length of the lines of a kind.
-    PerKind found_px{};     ///< ... of that with a mark within a pixel: of a profile edge for profiles, of any for the rest.
-    double profiles = 0.0;  ///< Pixels marked as profile edges.
+    PerKind wanted_px{};  ///< Length of the lines of a kind.
+    PerKind
+        found_px{};  ///< ... of that with a mark within a pixel: of a profile edge for profiles, of any for the rest.
+    double profiles = 0.0;         ///< Pixels marked as profile edges.
     double profiles_right = 0.0;   ///< ... of those whose middle is within a pixel of a profile line, flush or not.
     double inners = 0.0;           ///< Pixels marked as inner edges and not as profile edges.
     double inners_right = 0.0;     ///< ... of those whose middle is within a pixel of any line.
