@@ -95,7 +95,8 @@ class WorldReader {
         tree.grid.step_m = world_.grid_step_m();
         int exponent = 0;
         const bool is_power = std::frexp(tree.grid.step_m, &exponent) == 0.5;
-        require(is_power && exponent >= -16 && exponent < 64, "the grid's step is impossible");
+        // A scene of no extent has the least step, 2^-113.
+        require(is_power && exponent >= -128 && exponent < 64, "the grid's step is impossible");
         tree.bounds_world = box(*world_.bounds());
         require(!tree.bounds_world.is_empty(), "the bounds are impossible");
         const std::uint32_t leaves = world_.cluster_of_leaf()->size();

@@ -49,6 +49,15 @@ TEST(compiled_level, reads_what_was_written)
     }
 }
 
+TEST(compiled_level, of_any_size_reads_what_was_written)
+{
+    for (const double scale : {1e-7, 1e-5, 1e-3, 1e3, 1e5}) {
+        const Rooms rooms(0, scale);
+        const std::vector<std::byte> bytes = rooms.bytes();
+        EXPECT_EQ(hw::compiled_level_bytes(rooms.read(bytes), rooms.chunks), bytes) << scale;
+    }
+}
+
 TEST(compiled_level, is_the_same_for_any_number_of_threads)
 {
     EXPECT_EQ(Rooms(1).bytes(), Rooms(2).bytes());

@@ -14,25 +14,28 @@
 namespace hw::test {
 
 /// Three rooms in a row, doorways out of line, and a box in each; small, so that files are.
-inline Scene& rooms(SceneBuilder& builder)
+inline Scene& rooms(SceneBuilder& builder, double scale = 1.0)
 {
-    builder.box({-10, -3, -5}, {10, 3, 5}, true);
+    const auto box = [&](const glm::dvec3& min, const glm::dvec3& max, bool from_inside) {
+        builder.box(scale * min, scale * max, from_inside);
+    };
+    box({-10, -3, -5}, {10, 3, 5}, true);
     for (int i = 0; i < 2; ++i) {
         const double x = -3.0 + 6.0 * i, from = i == 0 ? 3.0 : -4.0;
-        builder.box({x - 0.2, -3, -5}, {x + 0.2, 3, from}, false);
-        builder.box({x - 0.2, -3, from + 1.0}, {x + 0.2, 3, 5}, false);
+        box({x - 0.2, -3, -5}, {x + 0.2, 3, from}, false);
+        box({x - 0.2, -3, from + 1.0}, {x + 0.2, 3, 5}, false);
     }
-    for (const double x : {-7.0, 0.0, 7.0}) builder.box({x, -2, -1}, {x + 1, -1, 1}, false);
+    for (const double x : {-7.0, 0.0, 7.0}) box({x, -2, -1}, {x + 1, -1, 1}, false);
     return builder.scene();
 }
 
 struct Rooms {
     SceneBuilder builder;
-    Scene& scene = rooms(builder);
+    Scene& scene;
     std::vector<MeshChunks> chunks;
     CompiledLevel level;
 
-    explicit Rooms(int threads = 0)
+    explicit Rooms(int threads = 0, double scale = 1.0) : scene(rooms(builder, scale))
     {
         VisibilityOptions options;
         options.threads = threads;
