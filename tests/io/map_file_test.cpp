@@ -111,6 +111,9 @@ TEST(map_file, maps_stay_inside_of_the_project)
               fs::canonical(folder.path() / "project/maps/stone"));
     for (const char* name : {"../outside", "maps/missing", "no_such_built_in_map", "/etc"})
         EXPECT_EQ(error_of([&] { hw::find_map(level, hw::MapKind::ink, name, "/a"); }).pointer, "/a") << name;
+    folder.write("project/mp/map.json", kInk);
+    EXPECT_EQ(hw::find_map(level, hw::MapKind::ink, "mp", "/a"), fs::canonical(folder.path() / "project/mp"))
+        << "a folder beside the level, where no built-in map has its name";
     fs::create_symlink(folder.path() / "outside/map.json", folder.path() / "project/maps/stone/level_0.png");
     EXPECT_THAT(error_of([&] { hw::read_map(folder.path() / "project/maps/stone"); }).what,
                 testing::HasSubstr("goes through the link"));

@@ -6,16 +6,17 @@
 #include <cmath>
 
 #include "hatchway/core/files/files.hpp"
+#include "hatchway/core/plain_text.hpp"
 #include "hatchway/core/unique_names.hpp"
 
 namespace hw {
 namespace {
 
+/// Control characters are written out: XML allows none of most, and no reader of names should obey any.
 std::string escaped(const std::string& text)
 {
     std::string result;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
+    for (const char c : plain_text(text)) {
         if (c == '&')
             result += "&amp;";
         else if (c == '<')
@@ -25,7 +26,7 @@ std::string escaped(const std::string& text)
         else if (c == '"')
             result += "&quot;";
         else
-            result += byte < 0x20 ? ' ' : c;
+            result += c;
     }
     return result;
 }

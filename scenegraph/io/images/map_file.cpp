@@ -146,10 +146,10 @@ MapLevels read_map(const fs::path& folder)
 fs::path find_map(const Level& level, MapKind kind, const std::string& name, const std::string& pointer)
 {
     const fs::path built_in = installation_prefix() / "share" / "hatchway" / "maps" / facts_of(kind).name / name;
-    const fs::path folder = is_lower_snake(name) ? built_in
-                                                 : resolve_inside(level.project_root, level.file.parent_path(), name,
-                                                                  level.file.string(), pointer);
     std::error_code failed;
+    if (is_lower_snake(name) && fs::is_regular_file(built_in / "map.json", failed)) return built_in;
+    const fs::path folder =
+        resolve_inside(level.project_root, level.file.parent_path(), name, level.file.string(), pointer);
     if (fs::is_regular_file(folder / "map.json", failed)) return folder;
     throw Error({.what = fmt::format("there is no map \"{}\" of the kind {}", name, facts_of(kind).name),
                  .file = level.file.string(),

@@ -45,6 +45,15 @@ TEST(vector_drawing, svg_has_a_group_for_each_line_type_inside_one_for_each_obje
     EXPECT_EQ(count(svg, "inkscape:label=\"Hall/&lt;Arch&gt;\""), 2u);
 }
 
+TEST(vector_drawing, svg_writes_control_characters_of_names_out)
+{
+    hw::VectorDrawing named = drawing();
+    named.objects[0].name = "a\u009b\x7f\u202e\u2028\x1b\n<b";
+    const std::string svg = hw::svg_text(named);
+    EXPECT_EQ(count(svg, "inkscape:label=\"a\\x9b\\x7f\\u202e\\u2028\\x1b\\n&lt;b\""), 1u);
+    for (const char* raw : {"\u009b", "\x7f", "\u202e", "\u2028", "\x1b"}) EXPECT_EQ(count(svg, raw), 0u);
+}
+
 TEST(vector_drawing, svg_coordinates_have_two_decimals_and_what_has_no_length_is_left_out)
 {
     const std::string svg = hw::svg_text(drawing());
