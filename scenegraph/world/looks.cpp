@@ -151,8 +151,10 @@ void apply_extras(const Level& level, const Scene& scene, std::vector<ObjectLook
 {
     // Messages begin with the level file, which may be the bare model itself.
     const std::string file = level.file == level.scene_file ? "" : scene.file + ": ";
+    // By the node's path: its number is not the file's, and the file may say it in one of several ways.
+    constexpr std::size_t kShown = 80;
     const auto place = [&](int node, const char* key) {
-        return file + "/nodes/" + std::to_string(node) + "/extras/hatchway/" + key;
+        return file + key + " in the extras of " + scene.nodes[node].path.substr(0, kShown);
     };
     // For each node the one that says it: itself, or its nearest parent that does.
     std::vector<int> style(scene.nodes.size(), kNone);

@@ -68,7 +68,7 @@ TEST(looks, tell_where_their_style_was_said)
     scene.nodes[scene.objects[1].node].style = "found";
     const auto looks = hw::resolve_looks(level, scene, "photoreal");
     EXPECT_EQ(looks[0].style_pointer, "/certainty_styles/1/style");
-    const std::string place = "/nodes/" + std::to_string(scene.objects[1].node) + "/extras/hatchway/style";
+    const std::string place = "style in the extras of " + scene.nodes[scene.objects[1].node].path;
     EXPECT_EQ(looks[1].style_pointer, "hall.glb: " + place);
     level.scene_file = level.file;
     EXPECT_EQ(hw::resolve_looks(level, scene, "photoreal")[1].style_pointer, place) << "a bare model";
