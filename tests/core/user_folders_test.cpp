@@ -53,12 +53,33 @@ TEST_F(user_folders, lie_where_the_environment_says)
     EXPECT_THROW(hw::user_cache_folder(), hw::Error);
 }
 
+TEST_F(user_folders, may_lie_on_another_disk_by_a_link_of_the_user)
+{
+    fs::create_directories(home_.path() / "disk/hatchway");
+    fs::create_directory_symlink("disk", home_.path() / ".cache");
+    hw::user_cache_folder().write("a", {});
+    EXPECT_TRUE(fs::exists(home_.path() / "disk/hatchway/a")) << "the folder that the environment names";
+    fs::remove(home_.path() / ".cache");
+    fs::create_directory(home_.path() / ".cache");
+    fs::create_directory_symlink("../disk/hatchway", home_.path() / ".cache/hatchway");
+    EXPECT_TRUE(hw::user_cache_folder().read("a", 10)) << "the program's own";
+    fs::permissions(home_.path() / "disk/hatchway", fs::perms::all);
+    EXPECT_THROW(hw::user_cache_folder(), hw::Error) << "others may write into it";
+    fs::remove_all(home_.path() / "disk");
+    EXPECT_THROW(hw::user_cache_folder(), hw::Error) << "a link to nothing";
+}
+
 TEST_F(user_folders, that_others_could_have_filled_are_refused)
 {
-    fs::create_directories(home_.path() / ".cache/elsewhere");
-    fs::create_directory_symlink("elsewhere", home_.path() / ".cache/hatchway");
-    EXPECT_THROW(hw::user_cache_folder(), hw::Error) << "a link";
-    fs::remove(home_.path() / ".cache/hatchway");
+    fs::create_directories(home_.path() / ".cache");
+    if (::geteuid() == 0) {
+        fs::create_directories(home_.path() / "elsewhere");
+        fs::permissions(home_.path() / "elsewhere", fs::perms::owner_all);
+        fs::create_directory_symlink("../elsewhere", home_.path() / ".cache/hatchway");
+        ASSERT_EQ(::lchown((home_.path() / ".cache/hatchway").c_str(), 12345, 12345), 0);
+        EXPECT_THROW(hw::user_cache_folder(), hw::Error) << "somebody else's link";
+        fs::remove(home_.path() / ".cache/hatchway");
+    }
     hw::user_cache_folder();
     for (const fs::perms others : {fs::perms::group_write, fs::perms::others_write}) {
         fs::permissions(home_.path() / ".cache/hatchway", fs::perms::owner_all | others);

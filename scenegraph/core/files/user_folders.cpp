@@ -1,5 +1,6 @@
 #include "hatchway/core/files/user_folders.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,10 +45,20 @@ void make_folders(const fs::path& path)
     }
 }
 
+/// The folder of the program's own name, made when it is missing. A link of that name is followed where this user made
+/// it: many keep caches on another disk.
+FolderHandle own_folder(const FolderHandle& base)
+{
+    struct stat status = {};
+    const bool is_there = ::fstatat(base.descriptor(), kName, &status, AT_SYMLINK_NOFOLLOW) == 0;
+    if (is_there && S_ISLNK(status.st_mode) && status.st_uid == ::geteuid()) return FolderHandle(base.path() / kName);
+    return base.made_folder(kName, kPrivate);
+}
+
 FolderHandle private_folder(const fs::path& base)
 {
     make_folders(base);
-    FolderHandle folder = FolderHandle(base).made_folder(kName, kPrivate);
+    FolderHandle folder = own_folder(FolderHandle(base));
     struct stat status = {};
     if (::fstat(folder.descriptor(), &status) != 0 || status.st_uid != ::geteuid())
         throw Error({.what = "the folder belongs to somebody else", .file = folder.path().string()});
