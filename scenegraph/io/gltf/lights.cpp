@@ -20,6 +20,7 @@ using nlohmann::json;
 constexpr double kWidestView_deg = 170.0;
 constexpr double kLowestParallelView_m = 1e-6;
 constexpr double kHighestParallelView_m = 1e9;
+constexpr double kLeastRoll_deg = 0.5;  // that anybody sees
 
 /// The direction in which a node's light or camera looks, in the world.
 glm::dvec3 forward_of(const Node& node)
@@ -50,6 +51,31 @@ Light convert_light(const json& source, const Node& node)
         light.outer_cone_rad = source.at("spot").value("outerConeAngle", light.outer_cone_rad);
     }
     return light;
+}
+
+/// How far a camera's picture is turned against the upright one of its direction (camera_view()), degrees.
+double roll_deg(const Node& node)
+{
+    const glm::dvec3 forward = forward_of(node);
+    const bool is_vertical = std::abs(forward.y) > 0.999999;
+    const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, forward) * forward; };
+    const glm::dvec3 upright =
+        across(is_vertical ? glm::dvec3(0.0, 0.0, forward.y > 0.0 ? 1.0 : -1.0) : glm::dvec3(0.0, 1.0, 0.0));
+    const glm::dvec3 stated = across(glm::dvec3(node.world_from_node[1]));
+    const double angle = std::atan2(glm::length(glm::cross(stated, upright)), glm::dot(stated, upright));
+    return std::isfinite(angle) ? glm::degrees(angle) : 0.0;
+}
+
+/// As high as the file says; the picture's own shape decides how wide. False where it is no height.
+bool read_projection(const tinygltf::Camera& source, Camera& camera)
+{
+    if (source.type == "perspective") {
+        camera.fov_deg = std::clamp(glm::degrees(source.perspective.yfov), 1.0, kWidestView_deg);
+        return true;
+    }
+    const double height = 2.0 * std::abs(source.orthographic.ymag);
+    camera.orthographic_height_m = std::min(height, kHighestParallelView_m);
+    return height >= kLowestParallelView_m;
 }
 
 }  // namespace
@@ -83,12 +109,16 @@ void add_cameras(const GltfModel& model, const NodeOrder& order, Scene& scene)
         camera.name = names.take(wanted.empty() ? "camera" : wanted);
         camera.eye_world = glm::dvec3(node.world_from_node[3]);
         camera.target_world = camera.eye_world + forward_of(node);
-        // As high as the file says; the picture's own shape decides how wide.
-        if (source.type == "perspective")
-            camera.fov_deg = std::clamp(glm::degrees(source.perspective.yfov), 1.0, kWidestView_deg);
-        else
-            camera.orthographic_height_m =
-                std::clamp(2.0 * std::abs(source.orthographic.ymag), kLowestParallelView_m, kHighestParallelView_m);
+        const auto doubt = [&](const std::string& what) {
+            scene.doubts.push_back(
+                fmt::format("{}: /cameras/{}: the camera \"{}\" {}", model.file, index, camera.name, what));
+        };
+        if (!read_projection(source, camera)) {
+            doubt(fmt::format("is left out: its ymag is {:g}, so its picture has no height", source.orthographic.ymag));
+            continue;
+        }
+        if (const double roll = roll_deg(node); roll > kLeastRoll_deg)
+            doubt(fmt::format("is turned about its line of sight by {:.1f} degrees: pictures are drawn upright", roll));
         scene.cameras.push_back(camera);
     }
 }

@@ -601,6 +601,46 @@ TEST(gltf_import, an_orthographic_camera_stays_one)
     EXPECT_EQ(scene.cameras[1].orthographic_height_m, 0.5);
 }
 
+TEST(gltf_import, a_camera_without_height_is_left_out_and_told)
+{
+    for (const double ymag : {0.0, 1e-9}) {
+        ModelBuilder builder = triangle_model();
+        builder.push("cameras", {{"type", "orthographic"},
+                                 {"orthographic", {{"xmag", 4}, {"ymag", ymag}, {"znear", 0.1}, {"zfar", 1000}}}});
+        builder.json["nodes"].push_back({{"camera", 0}, {"name", "plan"}});
+        builder.json["scenes"][0]["nodes"].push_back(1);
+        const hw::Scene scene = import_model(builder);
+        EXPECT_TRUE(scene.cameras.empty()) << ymag;
+        ASSERT_EQ(scene.doubts.size(), 1u);
+        EXPECT_THAT(scene.doubts[0], testing::HasSubstr("/cameras/0: the camera \"plan\" is left out"));
+    }
+}
+
+TEST(gltf_import, a_camera_that_is_rolled_is_told)
+{
+    struct Case {
+        std::vector<double> rotation;
+        const char* told;
+    };
+    const double half = std::sqrt(0.5);
+    const Case cases[] = {{{0, 0, 0, 1}, nullptr},
+                          {{0, half, 0, half}, nullptr},                   // to the left
+                          {{-half, 0, 0, half}, nullptr},                  // straight down, -z up
+                          {{half, 0, 0, half}, nullptr},                   // straight up
+                          {{0, 0, 0.258819, 0.9659258}, "30.0 degrees"}};  // a plan, turned
+    for (const Case& c : cases) {
+        ModelBuilder builder = triangle_model();
+        builder.push("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+        builder.json["nodes"].push_back({{"camera", 0}, {"name", "plan"}, {"rotation", c.rotation}});
+        builder.json["scenes"][0]["nodes"].push_back(1);
+        const hw::Scene scene = import_model(builder);
+        EXPECT_EQ(scene.cameras.size(), 1u);
+        const auto is_told = testing::HasSubstr(c.told == nullptr ? "" : c.told);
+        ASSERT_EQ(scene.doubts.size(), c.told == nullptr ? 0u : 1u);
+        EXPECT_THAT(scene.doubts, testing::Each(is_told));
+    }
+}
+
 namespace {
 
 /// A model of one triangle whose data lies in a file of its own; the triangle's data.
