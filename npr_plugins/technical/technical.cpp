@@ -17,7 +17,7 @@ class Technical final : public hw::Style {
                      1.0f);
         visitor.angle({"light_right_deg", "Where the light stands, to the right of the viewer."}, light_right_rad_,
                       -180.0f, 180.0f);
-        visitor.angle({"light_up_deg", "And above."}, light_up_rad_, -90.0f, 90.0f);
+        visitor.angle({"light_up_deg", "And how far above the horizon."}, light_up_rad_, -90.0f, 90.0f);
         visitor.real({"highlight", "Strength of the highlight."}, highlight_, 0.0f, 1.0f);
         visitor.real({"shininess", "How narrow the highlight is: the exponent of Phong's model."}, shininess_, 1.0f,
                      500.0f);

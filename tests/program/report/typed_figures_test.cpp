@@ -181,7 +181,7 @@ TEST(typed_figures, where_pages_tell_what_was_measured_are_all_known_to_be_set)
         {"silhouettes.md", "three two two two two three two 64 16 10,000 90 100 100"},
         {"strangers_files.md", "four 64 600 30"},
         {"visibility.md", "64 half half 64 1 0.001 two half"},
-        {"visible_lines.md", "1400 900 two two 1.5 two"},
+        {"visible_lines.md", "1400 900 two two two 1.5 two"},
         {"walking.md", "1 100 eight half 16 0.1"},
     };
     for (const fs::path& page : pages_in(kMethod)) {
