@@ -6,6 +6,8 @@
 namespace hw {
 namespace {
 
+constexpr std::uint32_t kUnknownTexture = ~0u;
+
 void enable(GLenum what, bool is_on)
 {
     is_on ? glEnable(what) : glDisable(what);
@@ -56,7 +58,7 @@ void GpuState::forget()
     is_known_ = false;
     program_ = 0;
     vertex_array_ = 0;
-    textures_.fill(0);
+    textures_.fill(kUnknownTexture);  // what is bound stays so: none is bound anew, too
     glUseProgram(0);
     glBindVertexArray(0);
     if (epoxy_is_desktop_gl()) glEnable(GL_PROGRAM_POINT_SIZE);

@@ -303,5 +303,29 @@ TEST_F(targets, colours_of_parameters_are_set_as_linear_light)
     EXPECT_NEAR(linear_colour({0.0f, 1.0f, 0.02f}).b, 0.02f / 12.92f, 1e-6f);
 }
 
+TEST_F(targets, an_image_that_is_invalid_is_black_also_in_a_frame_after_one_in_which_it_was_not)
+{
+    const Program white = shaders_.full_screen(writer("vec4(1.0)"));
+    const Program copy = shaders_.full_screen(
+        "#include \"full_screen.glsl\"\nuniform sampler2D source;\nvoid main() { hw_fragment = texture(source, "
+        "hw_v_uv); "
+        "}\n");
+    ScriptedStyle style;
+    bool is_valid = true;
+    Image copied;
+    style.makes_images = [&](Pass& pass, Items) {
+        const Image source = is_valid ? pass.filter({}, white, {})[0] : Image();
+        copied = pass.filter({}, copy, Uniforms().set("source", source))[0];
+    };
+    style.draws_surfaces = [&](Pass& pass, Items items) {
+        pass.surfaces(show_, Uniforms().set("shown", copied), items);
+    };
+    load(style);
+    for (const int wanted : {255, 0}) {
+        EXPECT_EQ(draw(view_from({0, 0, 4}, {0, 0, 0}), {.samples = 1}).at(160, 120)[0], wanted);
+        is_valid = false;
+    }
+}
+
 }  // namespace
 }  // namespace hw::test
