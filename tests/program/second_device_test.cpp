@@ -96,7 +96,9 @@ nlohmann::ordered_json origin()
 {
     const TemporaryFolder folder;
     const std::string json = folder / "bsp.json";
-    EXPECT_EQ(run_program({"measure", "bsp", kContent / "models/prism.glb", "--json", json}).exit_code, 0);
+    EXPECT_EQ(
+        run_program({"measure", "bsp", kContent / "models/prism.glb", "--points", "1000", "--json", json}).exit_code,
+        0);
     auto result = nlohmann::ordered_json::parse(bytes_of(json)).at("origin");
     result["command"] = "test_program --gtest_filter='second_device.*'";
     return result;
