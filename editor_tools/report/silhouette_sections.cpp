@@ -103,8 +103,9 @@ std::vector<ReportSection> silhouette_sections(const std::vector<std::string>& m
     const std::string& prism = models.front();
     std::vector<ReportSection> sections{silhouettes_section(models), random_silhouettes_section(prism, data, false),
                                         random_silhouettes_section(prism, data, true), silhouette_growth_section()};
-    const std::vector<std::string> hard = data.empty() ? std::vector<std::string>() : models_in(data / "hard");
-    if (!hard.empty()) sections.push_back(hard_silhouettes_section(hard));
+    // With --reuse the folder need not be there any more.
+    const std::vector<std::string> hard = models_in(data / "hard");
+    if (!data.empty() && (!hard.empty() || !fs::exists(data))) sections.push_back(hard_silhouettes_section(hard));
     return sections;
 }
 
