@@ -107,6 +107,30 @@ TEST_F(lines, behind_a_nearer_face_are_hidden)
         for (int x = 80; x < 240; ++x) ASSERT_EQ(pixels.at(x, y)[0], 255) << x << ' ' << y;
 }
 
+// The box's own face goes on below the slab, half a pixel from the fold: it tells nothing of what hides the fold.
+TEST_F(lines, of_a_fold_that_is_hidden_beside_its_own_face_stay_hidden)
+{
+    TestStyle bare{glm::vec3(1.0f)};
+    const View view = view_from({0, 0, 6}, {0, 0, 0});
+    const glm::mat4 clip = view.clip_from_view * view.view_from_world;
+    const auto px_per_m = [&](float z) {
+        return clip[1][1] / (clip * glm::vec4(0, 0, z, 1)).w * 0.5f * static_cast<float>(view.size_px.y);
+    };
+    constexpr float kBoxFront = 0.1f, kSlabBack = 0.9f;  // from below its back edge is the lower one
+    for (int k = 0; k < 10; ++k) {
+        const float fold_px = 50.0f + 0.1f * static_cast<float>(k);  // above the middle; the top looks away
+        const float top = fold_px / px_per_m(kBoxFront), bottom = (fold_px - 0.6f) / px_per_m(kSlabBack);
+        scene_ = {};
+        add_object(scene_, box_mesh({2.0f, 2.0f * top, 0.2f}), kHere, painted(glm::vec3(1.0f)));
+        add_object(scene_, box_mesh({4.0f, 1.0f, 0.2f}), at(0, bottom + 0.5, 1), painted(glm::vec3(1.0f)));
+        load({{"lines", &style_}, {"bare", &bare}}, {{.style = 0}, {.style = 1}});
+        const Pixels pixels = draw(view, {.samples = 1});
+        EXPECT_GT(count_dark(pixels), 100) << "the sides";
+        for (int y = 120 - 53; y < 120 - 46; ++y)
+            for (int x = 140; x < 180; ++x) ASSERT_EQ(pixels.at(x, y)[0], 255) << x << ' ' << y << " at " << fold_px;
+    }
+}
+
 TEST_F(lines, a_sheet_of_paper_on_a_desk_keeps_its_outline_and_hides_the_desk)
 {
     add_object(scene_, box_mesh({2.0f, 0.05f, 1.0f}), kHere, painted(glm::vec3(0.6f)));

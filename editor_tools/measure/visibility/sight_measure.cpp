@@ -1,12 +1,14 @@
 #include "measure/visibility/sight_measure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <mutex>
 
 #include "hatchway/render/view/visible_set.hpp"
+#include "measure/lines/eye_rays.hpp"
 #include "measure/share_work.hpp"
 
 namespace hw::measure {
@@ -14,24 +16,14 @@ namespace {
 
 constexpr std::uint32_t kPieceTriangles = 64;
 
-/// The ways from the eye through pixels, y down.
-struct PixelRays {
-    PixelRays(const View& view, const glm::ivec2& size)
-        : size_px(size), world_from_view(glm::transpose(glm::dmat3(glm::dmat4(view.view_from_world))))
-    {
-        half = {1.0 / view.clip_from_view[0][0], 1.0 / view.clip_from_view[1][1]};
-    }
-    glm::dvec3 through(int x, int y) const
-    {
-        const double right = (2.0 * (x + 0.5) / size_px.x - 1.0) * half.x;
-        const double up = (1.0 - 2.0 * (y + 0.5) / size_px.y) * half.y;
-        return world_from_view * glm::dvec3(right, up, -1.0);
-    }
-
-    glm::ivec2 size_px;
-    glm::dmat3 world_from_view;
-    glm::dvec2 half{1.0};
-};
+JudgeCamera judge_camera(const View& view, const glm::ivec2& size_px)
+{
+    const glm::dvec3 back = glm::dmat3(glm::transpose(glm::dmat4(view.view_from_world)))[2];
+    return {.eye_world = view.eye_world,
+            .target_world = view.eye_world - back,
+            .fov_rad = 2.0 * std::atan(1.0 / view.clip_from_view[1][1]),
+            .size_px = size_px};
+}
 
 /// A hidden chunk and a ray that seems to meet it.
 struct Claim {
@@ -100,12 +92,12 @@ SightCounts SightJudge::judge(const View& view, const glm::ivec2& size_px) const
     std::vector<std::uint8_t> is_met(triangles_.size(), 0);
     std::vector<Claim> claims;
     std::mutex adding;
-    const PixelRays pixels(view, size_px);
+    const Pinhole pinhole(judge_camera(view, size_px));
     share_work(static_cast<std::size_t>(size_px.y), 0, [&](std::size_t y) {
         std::vector<std::uint32_t> met, row;
         std::vector<Claim> own_claims;
         for (int x = 0; x < size_px.x; ++x) {
-            const glm::dvec3 way = pixels.through(x, static_cast<int>(y));
+            const glm::dvec3 way = pinhole.ray({x + 0.5, static_cast<double>(y) + 0.5});
             rays_.trace(view.eye_world, way, met);
             for (const std::uint32_t triangle : met) {
                 row.push_back(triangle);
