@@ -107,6 +107,20 @@ TEST_F(lines, behind_a_nearer_face_are_hidden)
         for (int x = 80; x < 240; ++x) ASSERT_EQ(pixels.at(x, y)[0], 255) << x << ' ' << y;
 }
 
+TEST_F(lines, of_faces_that_look_away_are_there_where_both_sides_are_seen)
+{
+    Material walls = painted(glm::vec3(1.0f));
+    for (const bool is_double_sided : {true, false}) {
+        walls.is_double_sided = is_double_sided;
+        scene_ = {};
+        add_object(scene_, box_mesh(glm::vec3(4.0f)), kHere, walls);
+        load(style_);
+        const int dark = count_dark(draw_with(LinePath::quads, view_from({0, 0, 0}, {1, 0.2, 1})));
+        EXPECT_EQ(dark > 100, is_double_sided) << dark;
+        EXPECT_EQ(dark == 0, !is_double_sided);
+    }
+}
+
 // The box's own face goes on below the slab, half a pixel from the fold: it tells nothing of what hides the fold.
 TEST_F(lines, of_a_fold_that_is_hidden_beside_its_own_face_stay_hidden)
 {
