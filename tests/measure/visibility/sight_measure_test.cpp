@@ -89,6 +89,13 @@ TEST(walk_places, are_all_that_a_walker_reaches_and_nothing_behind_a_wall)
     EXPECT_EQ(cells.size(), places.size());
     EXPECT_EQ(places.size(), 7u * 12u) << "3.8 m less the body by 6 m, in cells of half a metre";
     EXPECT_EQ(measure::places_on_foot(walker, {&start, 1}, 0.5, 10).size(), 10u);
+    const measure::Walker falls = [](PlayerState state, const PlayerInput&, double seconds) {
+        state.foot_world.x += seconds;
+        state.is_carried = false;
+        return state;
+    };
+    EXPECT_EQ(measure::places_on_foot(falls, {&start, 1}, 0.5, 10).size(), 1u)
+        << "who stands nowhere is nowhere on foot";
 }
 
 }  // namespace
