@@ -21,15 +21,21 @@ LampChoice::LampChoice(std::span<const Light> lights, double reach_m)
         power_so_far_[i] = total > 0.0 ? 0.5 * power_so_far_[i] / total + 0.5 * even : even;
     }
     power_so_far_.back() = 1.0;
+    for (std::size_t slice = 0, light = 0; slice < lights.size(); ++slice) {
+        while (power_so_far_[light] <= static_cast<double>(slice) / count) ++light;
+        first_of_slice_.push_back(static_cast<std::uint32_t>(light));
+    }
 }
 
 LampChoice::Asked LampChoice::asked(std::uint32_t number, float share) const
 {
     const double sought = (number + static_cast<double>(share)) / kMostAsked;
-    auto found = std::upper_bound(power_so_far_.begin(), power_so_far_.end(), sought);
-    if (found == power_so_far_.end()) --found;
-    const double chance = *found - (found == power_so_far_.begin() ? 0.0 : *(found - 1));
-    return {static_cast<std::uint32_t>(found - power_so_far_.begin()), static_cast<float>(1.0 / (kMostAsked * chance))};
+    const auto count = static_cast<std::uint32_t>(power_so_far_.size());
+    const auto slice = static_cast<std::uint32_t>(sought * count);
+    std::uint32_t light = first_of_slice_[std::min(slice, count - 1)];
+    while (light + 1 < count && power_so_far_[light] <= sought) ++light;
+    const double chance = power_so_far_[light] - (light == 0 ? 0.0 : power_so_far_[light - 1]);
+    return {light, static_cast<float>(1.0 / (kMostAsked * chance))};
 }
 
 }  // namespace hw

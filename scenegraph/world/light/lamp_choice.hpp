@@ -29,6 +29,9 @@ class LampChoice {
 
  private:
     std::vector<double> power_so_far_;  ///< Of the lights up to each, as a share of all; empty: all are asked.
+    /// The light that a search begins with, for each of as many equal slices of the power as there are lights. Source:
+    /// Chen, Asmus. On Generating Random Variates from an Empirical Distribution. AIIE Transactions 6 (1974).
+    std::vector<std::uint32_t> first_of_slice_;
 };
 
 }  // namespace hw

@@ -1,6 +1,7 @@
 #include "hatchway/world/light/transport.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -122,22 +123,20 @@ glm::vec3 Path::from_one_lamp(const LightReceiver& place, const glm::vec2& choic
     const auto gives = [&](const LampChoice::Asked& lamp) {
         return lamp.stands_for * luminance_of(unshadowed(sources_.lights[lamp.light], place, to_light, distance));
     };
+    std::array<float, kAsked> own;
     float total = 0.0f;
-    for (std::size_t i = 0; i < asked_lamps(); ++i) total += gives(asked_lamp(i, choice.y));
+    for (std::size_t i = 0; i < asked_lamps(); ++i) total += own[i] = gives(asked_lamp(i, choice.y));
     if (!(total > 0.0f)) return glm::vec3(0.0f);
     float left = choice.x * total;
-    LampChoice::Asked chosen;
-    float share = 0.0f;
+    std::size_t chosen = 0;
     for (std::size_t i = 0; i < asked_lamps(); ++i) {
-        const LampChoice::Asked lamp = asked_lamp(i, choice.y);
-        const float own = gives(lamp);
-        if (own <= 0.0f) continue;
-        chosen = lamp;
-        share = own / total;
-        left -= own;
+        if (own[i] <= 0.0f) continue;
+        chosen = i;
+        left -= own[i];
         if (left < 0.0f) break;
     }
-    return from_lamp(sources_.lights[chosen.light], place, on_lamp) * chosen.stands_for / share;
+    const LampChoice::Asked lamp = asked_lamp(chosen, choice.y);
+    return from_lamp(sources_.lights[lamp.light], place, on_lamp) * lamp.stands_for * total / own[chosen];
 }
 
 glm::vec3 Path::from_emitters(const LightReceiver& place, int step) const
