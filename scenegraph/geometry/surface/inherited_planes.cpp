@@ -19,6 +19,7 @@ struct Way {
     double length;  ///< Of the side, squared.
     std::uint32_t face;
     std::uint32_t source;
+    int side;  ///< Of `face`.
 
     /// The longest first, then by number.
     bool operator<(const Way& other) const
@@ -32,11 +33,12 @@ class PlaneInheritance {
  public:
     explicit PlaneInheritance(Surface& surface) : surface_(surface) {}
 
-    void run()
+    /// Whether a face was turned over.
+    bool run()
     {
         for (std::uint32_t face = 0; face < surface_.faces.size(); ++face)
             if (lacks_plane(face)) inherited().push_back({face, kNoFace});
-        if (inherited().empty()) return;
+        if (inherited().empty()) return false;
         const std::vector<DirectedEdge> uses = sorted_directed_edges(surface_.faces);
         neighbours_ = face_neighbours(surface_.faces.size(), uses);
         is_open_.assign(surface_.faces.size(), false);
@@ -47,6 +49,7 @@ class PlaneInheritance {
             ways_.pop();
             if (is_open_[way.face]) settle(way);
         }
+        return has_turned_;
     }
 
  private:
@@ -74,7 +77,7 @@ class PlaneInheritance {
     {
         for (int side = 0; side < 3; ++side) {
             const std::uint32_t source = neighbours_[face][side];
-            if (source != kNoFace && !is_open_[source]) ways_.push({side_length(face, side), face, source});
+            if (source != kNoFace && !is_open_[source]) ways_.push({side_length(face, side), face, source, side});
         }
     }
 
@@ -84,16 +87,35 @@ class PlaneInheritance {
         const auto at = std::lower_bound(inherited().begin(), inherited().end(), way.face,
                                          [](const auto& entry, std::uint32_t face) { return entry.face < face; });
         at->source = way.source;
+        wind_with_neighbour(way.face, way.side);
         for (int side = 0; side < 3; ++side) {
             const std::uint32_t next = neighbours_[way.face][side];
-            if (next != kNoFace && is_open_[next]) ways_.push({side_length(way.face, side), next, way.source});
+            if (next == kNoFace || !is_open_[next]) continue;
+            const auto& beyond = neighbours_[next];
+            const auto back = static_cast<int>(std::find(beyond.begin(), beyond.end(), way.face) - beyond.begin());
+            ways_.push({side_length(way.face, side), next, way.source, back});
         }
+    }
+
+    /// What has no plane of its own has no front of its own.
+    void wind_with_neighbour(std::uint32_t face, int side)
+    {
+        FaceCorners& corners = surface_.faces[face];
+        const FaceCorners& other = surface_.faces[neighbours_[face][side]];
+        bool is_against = false;
+        for (int i = 0; i < 3; ++i)
+            is_against |= other[i] == corners[side] && other[(i + 1) % 3] == corners[(side + 1) % 3];
+        if (!is_against) return;
+        std::swap(corners[1], corners[2]);
+        std::swap(neighbours_[face][0], neighbours_[face][2]);
+        has_turned_ = true;
     }
 
     Surface& surface_;
     std::vector<FaceCorners> neighbours_;
     std::vector<bool> is_open_;  ///< Has no plane yet.
     std::priority_queue<Way> ways_;
+    bool has_turned_ = false;
 };
 
 }  // namespace
@@ -113,9 +135,9 @@ bool is_needle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
     return glm::length(open) >= kOpenSine * area;
 }
 
-void inherit_planes(Surface& surface)
+bool inherit_planes(Surface& surface)
 {
-    PlaneInheritance(surface).run();
+    return PlaneInheritance(surface).run();
 }
 
 }  // namespace hw

@@ -12,8 +12,8 @@ namespace hw {
 bool is_needle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 /// Gives every face that has no plane of its own (collinear, a needle, or a cap without a triangle) the plane of a face
-/// that has one: the one that is reached over the longest sides. Fills FacingFilter::inherited and counts in the
-/// report.
-void inherit_planes(Surface& surface);
+/// that has one: the one that is reached over the longest sides. Winds it as the faces on that way. Fills
+/// FacingFilter::inherited and counts in the report. Returns whether a face was turned over.
+bool inherit_planes(Surface& surface);
 
 }  // namespace hw

@@ -11,6 +11,7 @@
 #include "hatchway/geometry/surface/inherited_planes.hpp"
 #include "hatchway/geometry/surface/outline_order.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
+#include "hatchway/geometry/topology/meant_winding.hpp"
 #include "hatchway/geometry/topology/repaired_mesh.hpp"
 
 namespace hw {
@@ -23,7 +24,7 @@ class SurfaceBuild {
     Surface run()
     {
         weld_and_repair();
-        inherit_planes(surface_);
+        if (inherit_planes(surface_)) uses_ = sorted_directed_edges(surface_.faces);
         judge_components();
         collect_edges();
         mark_artist_edges(inner_, surface_, mesh_, position_of_vertex_, options_.artist_fold_rad);
@@ -41,6 +42,7 @@ class SurfaceBuild {
         report.triangles_in = static_cast<std::uint32_t>(mesh_.triangle_count());
         report.removed_faces = report.triangles_in - static_cast<std::uint32_t>(welded.faces.size());
         RepairedMesh repaired = repair_mesh(in_outline_order(std::move(welded)), options_.stitch_share);
+        keep_meant_winding(mesh_, repaired);
         surface_.positions = std::move(repaired.positions);
         surface_.faces = std::move(repaired.faces);
         surface_.face_triangle = std::move(repaired.face_triangle);

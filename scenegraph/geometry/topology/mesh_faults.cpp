@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "hatchway/geometry/topology/meant_winding.hpp"
 #include "hatchway/geometry/topology/repaired_mesh.hpp"
 
 namespace hw {
@@ -40,23 +41,10 @@ glm::dvec3 area_of(const MeshData& mesh, std::uint32_t triangle)
     return glm::cross(place(1) - place(0), place(2) - place(0));
 }
 
-bool do_normals_agree(const MeshData& mesh, std::uint32_t triangle)
+std::vector<std::uint32_t> wrongly_wound(const RepairedMesh& repaired)
 {
-    if (!mesh.has_own_normals) return false;
-    glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i < 3; ++i) sum += glm::dvec3(mesh.normals[mesh.indices[3 * std::size_t{triangle} + i]]);
-    return glm::dot(sum, area_of(mesh, triangle)) > 0.0;
-}
-
-std::vector<std::uint32_t> wrongly_wound(const MeshData& mesh, const RepairedMesh& repaired)
-{
-    const std::vector<bool> is_open = components_with(repaired, [](const auto& edge) { return edge.size() != 2; });
     std::vector<std::uint32_t> triangles;
-    for (const std::uint32_t face : repaired.flipped_faces) {
-        const std::uint32_t triangle = repaired.face_triangle[face];
-        const bool is_meant = is_open[repaired.face_component[face]] && do_normals_agree(mesh, triangle);
-        if (!is_meant) triangles.push_back(triangle);
-    }
+    for (const std::uint32_t face : repaired.flipped_faces) triangles.push_back(repaired.face_triangle[face]);
     return triangles;
 }
 
@@ -95,8 +83,10 @@ MeshFaults find_mesh_faults(const MeshData& mesh)
 {
     WeldedMesh welded = weld(mesh);
     if (is_closed_and_consistent(welded)) return {};
-    const RepairedMesh repaired = repair_mesh(std::move(welded), kStitchShare);
-    MeshFaults faults{wrongly_wound(mesh, repaired), of_turned_sheets(repaired), repaired.doubled_triangles};
+    RepairedMesh repaired = repair_mesh(std::move(welded), kStitchShare);
+    MeshFaults faults{{}, of_turned_sheets(repaired), repaired.doubled_triangles};
+    keep_meant_winding(mesh, repaired);
+    faults.wrongly_wound = wrongly_wound(repaired);
     for (auto* triangles : {&faults.wrongly_wound, &faults.of_turned_sheets, &faults.doubled})
         std::sort(triangles->begin(), triangles->end());
     return faults;

@@ -258,6 +258,37 @@ TEST(visible_lines, faces_that_are_culled_hide_nothing_and_carry_no_lines)
     EXPECT_GT(total(hw::find_visible_lines(objects, kFront), true, 1), 100.0);
 }
 
+namespace {
+
+/// A sheet that looks at kFront, of twelve triangles left of x = -1, and a flap right of it that meets it back to
+/// front, as levels have them.
+hw::MeshData sheet_with_a_flap_back_to_front()
+{
+    hw::MeshData mesh;
+    for (int i = 0; i <= 6; ++i)
+        for (const float y : {-1.0f, 1.0f}) mesh.positions.emplace_back(-3.0f + static_cast<float>(i) / 3.0f, y, 0.0f);
+    for (std::uint32_t i = 0; i < 12; i += 2)
+        for (const std::uint32_t corner : {0u, 2u, 1u, 1u, 2u, 3u}) mesh.indices.push_back(i + corner);
+    mesh.positions.insert(mesh.positions.end(), {{1, -1, 0}, {1, 1, 0}});
+    const std::vector<std::uint32_t> flap{12, 13, 14, 13, 15, 14};
+    mesh.indices.insert(mesh.indices.end(), flap.begin(), flap.end());
+    return flat_shaded(mesh);
+}
+
+}  // namespace
+
+TEST(visible_lines, a_wall_that_meets_its_neighbour_back_to_front_is_culled_as_the_model_winds_it)
+{
+    const hw::Surface sheet = hw::build_surface(sheet_with_a_flap_back_to_front());
+    EXPECT_EQ(sheet.report.flipped_faces, 0u);
+    const hw::Surface square = upright_square();
+    const std::vector<hw::LineObject> objects{{.surface = &sheet, .is_culled = true},
+                                              {&square, glm::scale(at(0, 0, -1), glm::dvec3(0.3))}};
+    const std::vector<hw::VisibleLine> lines = hw::find_visible_lines(objects, kFront);
+    EXPECT_GT(total(lines, true, 1), 100.0);
+    for (const hw::VisibleLine& line : lines) EXPECT_EQ(line.line_class, Class::border);
+}
+
 TEST(visible_lines, what_is_seen_through_hides_nothing)
 {
     const hw::Surface square = upright_square();
