@@ -16,6 +16,7 @@ const double kLeastMeantFold = std::cos(0.035);  // below, split normals are noi
 const double kSharpFold = std::cos(1.05);        // above, folds are split in any shading
 constexpr double kSplitCosine = 0.9994;
 constexpr double kAllOf = 0.95;
+constexpr double kThin = 1e-3;  // of its longest side: which way such a triangle looks, its rounded corners do not tell
 
 using Place = std::array<float, 3>;
 using Ends = std::pair<Place, Place>;
@@ -25,6 +26,7 @@ struct Side {
     glm::dvec3 normal;  ///< World space, as long as twice the area.
     bool is_forward;
     std::size_t triangle;
+    bool is_thin;
     std::array<glm::vec3, 2> stated;  ///< The model's own normals at the edge's ends; 0 where it has none.
 };
 
@@ -80,12 +82,14 @@ class EdgeSearch {
         if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
         const glm::dvec3 a = in_world(corners[0]), b = in_world(corners[1]), c = in_world(corners[2]);
         const glm::dvec3 normal = turn_ * glm::cross(b - a, c - a);
+        const double longest_m = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+        const bool is_thin = glm::length(normal) <= kThin * longest_m * longest_m;
         const bool has_stated = mesh_.has_own_normals && !mesh_.normals.empty();
         const auto stated = [&](std::size_t k) { return has_stated ? mesh_.normals[index[k]] : glm::vec3(0.0f); };
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             const bool is_forward = corners[k] < corners[next];
-            Side side{normal, is_forward, triangle, {stated(k), stated(next)}};
+            Side side{normal, is_forward, triangle, is_thin, {stated(k), stated(next)}};
             if (!is_forward) std::swap(side.stated[0], side.stated[1]);
             sides_[std::minmax(corners[k], corners[next])].push_back(side);
         }
@@ -140,9 +144,9 @@ class EdgeSearch {
         edge.is_sure = around.size() <= 2;
         if (around.size() == 2) {
             edge.is_crease = fold_cosine(around) < crease_cosine;
-            edge.is_sure = glm::length(around[0].normal) * glm::length(around[1].normal) > 0.0;
+            edge.is_sure = !around[0].is_thin && !around[1].is_thin;
         }
-        edge.is_crease = edge.is_crease || meant_.contains(ends);
+        edge.is_crease = edge.is_crease || !edge.is_sure || meant_.contains(ends);
         return edge;
     }
 

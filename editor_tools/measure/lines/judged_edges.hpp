@@ -14,7 +14,8 @@ struct JudgedEdge {
     glm::dvec3 to{0.0};
     std::vector<glm::dvec3> normals;
     bool is_crease = false;  ///< Folded by more than the crease angle, or meant by the artist.
-    bool is_sure = true;     ///< False: more than two faces meet, or one has no area.
+    bool is_sure = true;     ///< False: more than two faces meet, or one is thinner than a thousandth of its
+                             ///< length. It may be a line or none.
     bool is_culled = false;
 };
 

@@ -42,7 +42,15 @@ struct Row {
     {
         return verdict.visible_px > 0.0 ? px / verdict.visible_px : measure::kNoValue;
     }
-    double extra() const { return verdict.found_px > 0.0 ? verdict.extra_px / verdict.found_px : measure::kNoValue; }
+    double share_of_found(double px) const
+    {
+        return verdict.found_px > 0.0 ? px / verdict.found_px : measure::kNoValue;
+    }
+    double unjudged() const
+    {
+        const double all_px = verdict.found_px + verdict.unjudged_px;
+        return all_px > 0.0 ? verdict.unjudged_px / all_px : measure::kNoValue;
+    }
 };
 
 JudgedLine judged(std::vector<glm::dvec2> points_px, bool is_closed, bool is_intersection)
@@ -105,18 +113,21 @@ JsonValue row_json(const Row& row)
     json.set("prepare_s", row.prepare_s).set("warm_s", row.warm_s).set("cold_s", row.prepare_s + row.warm_s);
     json.set("candidates_px", v.candidates_px).set("visible_px", v.visible_px).set("found_px", v.found_px);
     json.set("missed", row.share_of_visible(v.missed_px)).set("thinned", row.share_of_visible(v.thinned_px));
-    json.set("extra", row.extra()).set("unjudged_px", v.unjudged_px).set("rays", v.rays);
+    json.set("extra", row.share_of_found(v.extra_px)).set("noticed", row.share_of_found(v.noticed_px));
+    json.set("unsure", row.share_of_found(v.unsure_px)).set("unjudged", row.unjudged());
+    json.set("unjudged_px", v.unjudged_px).set("rays", v.rays);
     return json;
 }
 
 std::string row_text(const Row& row)
 {
     return fmt::format(
-        "{:<24} visible {:>8.0f} px  missed {:6.3f} %  thinned {:6.2f} %  extra {:6.3f} %  not judged {:>7.0f} px  "
-        "prepare {:>7.1f} ms  view {:>6.1f} ms\n",
+        "{:<24} visible {:>8.0f} px  missed {:6.3f} %  thinned {:6.2f} %  extra {:6.3f} %  noticed {:5.1f} %  unsure "
+        "{:5.1f} %  not judged {:5.1f} %  prepare {:>7.1f} ms  view {:>6.1f} ms\n",
         row.model, row.verdict.visible_px, 100.0 * row.share_of_visible(row.verdict.missed_px),
-        100.0 * row.share_of_visible(row.verdict.thinned_px), 100.0 * row.extra(), row.verdict.unjudged_px,
-        1000.0 * row.prepare_s, 1000.0 * row.warm_s);
+        100.0 * row.share_of_visible(row.verdict.thinned_px), 100.0 * row.share_of_found(row.verdict.extra_px),
+        100.0 * row.share_of_found(row.verdict.noticed_px), 100.0 * row.share_of_found(row.verdict.unsure_px),
+        100.0 * row.unjudged(), 1000.0 * row.prepare_s, 1000.0 * row.warm_s);
 }
 
 void measure_visible_lines(const VisibleLinesArguments& arguments)

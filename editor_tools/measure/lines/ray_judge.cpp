@@ -5,47 +5,23 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "measure/lines/line_mask.hpp"
+
 namespace hw {
 namespace {
 
 constexpr double kStep_px = 1.0;
-constexpr double kReach_px = 1.5;
 constexpr double kLongest_px = 1e6;     // of an edge that passes close by the eye
 constexpr double kSeen = 1.0 - 1e-4;    // of the way to the edge: free so far, it is seen
 constexpr double kHidden = 1.0 - 1e-3;  // blocked before, it is hidden
 constexpr double kBeside_px = 0.1;      // where rays ask whether the surface runs straight on: less than what is seen
+constexpr double kClosest_px = 0.01;    // where they ask once more before a line is extra: a gap can be as narrow
 constexpr double kStraightCosine = 0.9998;
 constexpr double kStraightShare = 1e-3;  // off the plane, of the distance
 constexpr double kFlatCosine = 1.0 - 1e-6;
 constexpr double kFlatShare = 1e-5;
 
-/// Pixels within the reach of something.
-class Mask {
- public:
-    explicit Mask(glm::ivec2 size) : size_(size), is_set_(static_cast<std::size_t>(size.x) * size.y) {}
-
-    void add(const glm::dvec2& p)
-    {
-        const glm::ivec2 low = glm::max(glm::ivec2(glm::floor(p - kReach_px)), glm::ivec2(0));
-        const glm::ivec2 high = glm::min(glm::ivec2(glm::floor(p + kReach_px)), size_ - 1);
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x)
-                if (glm::distance(p, glm::dvec2(x + 0.5, y + 0.5)) <= kReach_px) is_set_[index(x, y)] = true;
-    }
-    bool holds(const glm::dvec2& p) const
-    {
-        const glm::ivec2 at(glm::floor(p));
-        return at.x >= 0 && at.y >= 0 && at.x < size_.x && at.y < size_.y && is_set_[index(at.x, at.y)];
-    }
-
- private:
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * size_.x + x; }
-
-    glm::ivec2 size_;
-    std::vector<bool> is_set_;
-};
-
-/// Calls `use(point, length)` along a polyline, step by step, for what is in the picture.
+/// Calls `use(point, length, way)` along a polyline, step by step, for what is in the picture.
 template <typename Use>
 void walk(const JudgedLine& line, const Pinhole& pinhole, const Use& use)
 {
@@ -55,7 +31,7 @@ void walk(const JudgedLine& line, const Pinhole& pinhole, const Use& use)
         const int count = 1 + static_cast<int>(length / kStep_px);
         for (int k = 0; k < count; ++k) {
             const glm::dvec2 p = glm::mix(a, b, (k + 0.5) / count);
-            if (pinhole.holds(p)) use(p, length / count);
+            if (pinhole.holds(p)) use(p, length / count, b - a);
         }
     }
 }
@@ -69,11 +45,12 @@ struct Bend {
     bool is_surely_none() const { return cosine >= kFlatCosine && step < kFlatShare; }
 };
 
-Bend bend_at(const EyeRays& rays, const Pinhole& pinhole, const glm::dvec2& at, const glm::dvec2& across)
+Bend bend_at(const EyeRays& rays, const Pinhole& pinhole, const glm::dvec2& at, const glm::dvec2& across,
+             double beside_px)
 {
     constexpr double kFar = 1e9;
-    const glm::dvec3 left_way = pinhole.ray(at - kBeside_px * across);
-    const glm::dvec3 right_way = pinhole.ray(at + kBeside_px * across);
+    const glm::dvec3 left_way = pinhole.ray(at - beside_px * across);
+    const glm::dvec3 right_way = pinhole.ray(at + beside_px * across);
     const auto left = rays.first(left_way, kFar), right = rays.first(right_way, kFar);
     if (!left || !right) return {};
     const glm::dvec3 step = right->share * right_way - left->share * left_way;
@@ -90,6 +67,8 @@ void RayVerdict::add(const RayVerdict& other)
     thinned_px += other.thinned_px;
     found_px += other.found_px;
     extra_px += other.extra_px;
+    noticed_px += other.noticed_px;
+    unsure_px += other.unsure_px;
     unjudged_px += other.unjudged_px;
     rays += other.rays;
 }
@@ -111,10 +90,16 @@ struct RayJudge::Look {
           rays(judge.triangles_, camera.eye_world),
           is_found(camera.size_px),
           is_drawn(camera.size_px),
-          may_be(camera.size_px)
+          may_be(camera.size_px),
+          is_seen(camera.size_px)
     {
-        for (const JudgedLine& line : found) walk(line, pinhole, [&](const auto& p, double) { is_found.add(p); });
-        for (const JudgedLine& line : drawn) walk(line, pinhole, [&](const auto& p, double) { is_drawn.add(p); });
+        for (const JudgedLine& line : found) {
+            if (line.is_intersection) continue;
+            walk(line, pinhole, [&](const auto& p, double, const auto& way) { is_found.add(p, way); });
+            is_found.end_line();
+        }
+        for (const JudgedLine& line : drawn)
+            walk(line, pinhole, [&](const auto& p, double, const auto& way) { is_drawn.add(p, way); });
     }
 
     void judge_sample(const JudgedEdge& edge, const glm::dvec3& way, const glm::dvec2& at, const glm::dvec2& across,
@@ -123,14 +108,17 @@ struct RayJudge::Look {
         verdict.candidates_px += length;
         const auto before = rays.first(way, kSeen);
         if (before && before->share < kHidden) return;
-        const Bend bend = bend_at(rays, pinhole, at, across);
-        if (!bend.is_surely_none()) may_be.add(at);
+        const Bend bend = bend_at(rays, pinhole, at, across, kBeside_px);
+        const glm::dvec2 along(across.y, -across.x);
+        const bool is_none = bend.is_surely_none() && bend_at(rays, pinhole, at, across, kClosest_px).is_surely_none();
+        if (!is_none) may_be.add(at, along);
         if (before || !edge.is_sure || bend.may_be_none()) return;
         verdict.visible_px += length;
-        if (!is_found.holds(at)) {
+        is_seen.add(at, along);
+        if (!is_found.hold(at, along)) {
             verdict.missed_px += length;
             show(at, judged_missed);
-        } else if (!is_drawn.holds(at)) {
+        } else if (!is_drawn.holds(at, along)) {
             verdict.thinned_px += length;
             show(at, judged_thinned);
         }
@@ -169,12 +157,21 @@ struct RayJudge::Look {
 
     void judge_found(const JudgedLine& line)
     {
-        walk(line, pinhole, [&](const glm::dvec2& p, double length) {
+        walk(line, pinhole, [&](const glm::dvec2& p, double length, const glm::dvec2& way) {
             (line.is_intersection ? verdict.unjudged_px : verdict.found_px) += length;
-            const bool is_extra = !line.is_intersection && !may_be.holds(p);
+            const bool is_extra = !line.is_intersection && !may_be.holds(p, way);
             if (is_extra) verdict.extra_px += length;
+            if (!line.is_intersection && !is_extra) judge_explained(p, length, way);
             show(p, is_extra ? judged_extra : judged_found);
         });
+    }
+
+    void judge_explained(const glm::dvec2& p, double length, const glm::dvec2& way)
+    {
+        if (!is_seen.holds(p, way))
+            verdict.unsure_px += length;
+        else if (!is_found.hold_two(p, way))
+            verdict.noticed_px += length;
     }
 
     void show(const glm::dvec2& p, JudgedPixel what)
@@ -189,7 +186,8 @@ struct RayJudge::Look {
     glm::dvec3 eye;
     Pinhole pinhole;
     EyeRays rays;
-    Mask is_found, is_drawn, may_be;
+    FoundLines is_found;
+    LineMask is_drawn, may_be, is_seen;
     RayVerdict verdict;
 };
 

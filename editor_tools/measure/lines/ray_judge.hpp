@@ -27,7 +27,10 @@ struct RayVerdict {
     double found_px = 0.0;       ///< Of the found lines, without those where objects go through each other.
     double extra_px = 0.0;       ///< Of that, without an edge within the reach that rays reach or nearly reach, and
                                  ///< across which what is seen is not surely one plane.
-    double unjudged_px = 0.0;    ///< Where objects go through each other.
+    double noticed_px = 0.0;     ///< Of the found length: on an edge that counts as visible, no other line like it in
+                              ///< reach. Had the line been left out, this would be missed.
+    double unsure_px = 0.0;    ///< Of the found length: neither extra nor on an edge that counts as visible.
+    double unjudged_px = 0.0;  ///< Where objects go through each other.
     std::uint64_t rays = 0;
 
     void add(const RayVerdict& other);
@@ -39,8 +42,9 @@ enum JudgedPixel : std::uint8_t { judged_paper, judged_found, judged_missed, jud
 /// Judges visible lines by brute force: every edge of every object that is a border, a crease, a contour from the eye
 /// or marked by the artist is walked pixel by pixel, and a ray decides about each. Nothing of geometry/lines,
 /// geometry/surface or geometry/silhouettes is used. Distances are compared to a thousandth of themselves: what lies
-/// between "surely seen" and "surely hidden" is neither missed nor extra. Two lines within the reach of 1.5 px are one
-/// for it, so in crowds of lines it sees less than where they stand alone.
+/// between "surely seen" and "surely hidden" is neither missed nor extra. A line stands for an edge within the reach of
+/// 1 px that runs like it (LineMask), so in crowds of lines it sees less than where they stand alone: noticed_px tells
+/// how much. A line where objects go through each other stands for no edge.
 class RayJudge {
  public:
     /// All objects of a scene wear lines of one crease angle. The scene must outlive this.

@@ -79,6 +79,39 @@ TEST(ray_judge, hidden_edges_and_inventions_are_extra)
     EXPECT_EQ(verdict_of(found, found).extra_px, 0.0);
 }
 
+TEST(ray_judge, a_line_that_crosses_an_edge_does_not_stand_for_it)
+{
+    std::vector<JudgedLine> found{{{{90, 90}, {270, 90}, {270, 270}, {90, 270}}}};
+    for (double y = 91.0; y < 270.0; y += 2.0) found.push_back({{{80, y}, {100, y}}});
+    EXPECT_NEAR(verdict_of(found, found).missed_px, 180.0, 6.0);
+}
+
+TEST(ray_judge, where_objects_go_through_each_other_no_edge_is_found)
+{
+    std::vector<JudgedLine> found = square(90, 270);
+    found[0].is_intersection = true;
+    EXPECT_NEAR(verdict_of(found, found).missed_px, 720.0, 8.0);
+}
+
+TEST(ray_judge, tells_how_much_of_the_found_lines_would_be_missed)
+{
+    EXPECT_NEAR(verdict_of(square(90, 270), {}).noticed_px, 720.0, 8.0);
+    // A second square beside the first one would hide the loss of either.
+    std::vector<JudgedLine> twice = square(90, 270);
+    twice.push_back(square(90.2, 269.8)[0]);
+    EXPECT_EQ(verdict_of(twice, twice).noticed_px, 0.0);
+    // Of four lines each is left out in turn.
+    const std::vector<JudgedLine> sides{
+        {{{90, 90}, {270, 90}}}, {{{270, 90}, {270, 270}}}, {{{270, 270}, {90, 270}}}, {{{90, 270}, {90, 90}}}};
+    double missed_px = 0.0;
+    for (std::size_t left_out = 0; left_out < sides.size(); ++left_out) {
+        std::vector<JudgedLine> kept = sides;
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(left_out));
+        missed_px += verdict_of(kept, kept).missed_px;
+    }
+    EXPECT_NEAR(verdict_of(sides, sides).noticed_px, missed_px, 8.0);
+}
+
 namespace {
 
 /// A roof whose ridge runs along z in the picture's middle, folded by less than a crease, over three quads a side.
@@ -131,6 +164,30 @@ TEST(ray_judge, a_line_along_a_joint_in_one_plane_is_extra_though_edges_are_ther
     EXPECT_NEAR(RayJudge(scene, kCrease).judge(kCamera, joint, joint).extra_px, 136.0, 1e-6);
     const std::vector<JudgedLine> outline{{{{144.0, 112.0}, {144.0, 248.0}}}};
     EXPECT_EQ(RayJudge(scene, kCrease).judge(kCamera, outline, outline).extra_px, 0.0);
+}
+
+TEST(ray_judge, the_rim_of_a_gap_of_a_twentieth_of_a_pixel_is_not_extra)
+{
+    test::SceneBuilder builder;
+    const double gap = 0.05 / 72.0;
+    builder.box({-0.5, -1.0, -1.0}, {0.5, 1.0, 0.0}, false);
+    builder.box({0.5 + gap, -1.0, -1.0}, {1.5, 1.0, 0.0}, false);
+    const std::vector<JudgedLine> rim{{{{216.0, 112.0}, {216.0, 248.0}}}};
+    EXPECT_EQ(RayJudge(builder.scene(), kCrease).judge(kCamera, rim, rim).extra_px, 0.0);
+}
+
+TEST(ray_judge, a_found_edge_of_three_faces_is_unsure)
+{
+    MeshData mesh;
+    mesh.positions = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}};
+    mesh.indices = {0, 1, 2, 0, 3, 1, 0, 1, 4};
+    test::SceneBuilder builder;
+    builder.add(std::move(mesh), test::SceneBuilder::kSingle);
+    const Scene scene = builder.scene();
+    const std::vector<JudgedLine> middle{{{{110.0, 180.0}, {250.0, 180.0}}}};
+    const RayVerdict verdict = RayJudge(scene, kCrease).judge(kCamera, middle, middle);
+    EXPECT_NEAR(verdict.unsure_px + verdict.extra_px, 140.0, 2.0);
+    EXPECT_EQ(verdict.noticed_px, 0.0);
 }
 
 TEST(ray_judge, a_joint_beside_a_step_of_less_than_a_pixel_is_no_line)
