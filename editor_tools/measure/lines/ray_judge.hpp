@@ -28,9 +28,9 @@ struct RayVerdict {
     double extra_px = 0.0;       ///< Of that, without an edge within the reach that rays reach or nearly reach, and
                                  ///< across which what is seen is not surely one plane.
     double noticed_px = 0.0;     ///< Of the found length: on an edge that counts as visible, no other line like it in
-                              ///< reach. Had the line been left out, this would be missed.
-    double unsure_px = 0.0;    ///< Of the found length: neither extra nor on an edge that counts as visible.
-    double unjudged_px = 0.0;  ///< Where objects go through each other.
+                                 ///< reach. Had the line been left out, this would be missed.
+    double unsure_px = 0.0;      ///< Of the found length: neither extra nor on an edge that counts as visible.
+    double unjudged_px = 0.0;    ///< Where objects go through each other.
     std::uint64_t rays = 0;
 
     void add(const RayVerdict& other);
