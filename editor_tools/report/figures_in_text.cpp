@@ -14,7 +14,7 @@ namespace {
 using Row = std::map<std::string, JsonCell>;
 
 const std::regex kFigure(
-    R"re(<!--@(\w+)(?:\.(\w+))?((?: [^:>]*)?): (\w[\w.]*)(?: x([\d.]+))? (\.\d+f)-->[^<]*<!--@-->)re");
+    R"re(<!--@(\w+)(?:\.(\w+))?((?: [^:>]*)?): (max )?(\w[\w.]*)(?: x([\d.]+))? (\.\d+f)-->[^<]*<!--@-->)re");
 
 /// The texts that a row must have, from "file=hall.level.json effort=full". A text may hold blanks.
 std::map<std::string, std::string> conditions_in(const std::string& text)
@@ -33,18 +33,30 @@ bool has_texts(const Row& row, const std::map<std::string, std::string>& conditi
     return true;
 }
 
-const Row* row_of(const JsonTable& table, const std::map<std::string, std::string>& conditions)
+/// A number, or null for what nothing was measured of; no pointer to anything else.
+const JsonCell* figure_in(const Row& row, const std::string& column)
 {
-    if (conditions.empty()) return &table.facts;
-    for (const Row& row : table.rows)
-        if (has_texts(row, conditions)) return &row;
-    return nullptr;
+    const auto cell = row.find(column);
+    const bool is_figure = cell != row.end() && (std::holds_alternative<double>(cell->second) ||
+                                                 std::holds_alternative<std::monostate>(cell->second));
+    return is_figure ? &cell->second : nullptr;
 }
 
-/// A number, or null for what nothing was measured of.
-bool is_figure(const JsonCell& cell)
+/// Of the first row that has the texts, or the largest of all that have them; null where there is none.
+const JsonCell* figure_of(const JsonTable& table, const std::map<std::string, std::string>& conditions,
+                          const std::string& column, bool is_largest)
 {
-    return std::holds_alternative<double>(cell) || std::holds_alternative<std::monostate>(cell);
+    if (conditions.empty() && !is_largest) return figure_in(table.facts, column);
+    const JsonCell* found = nullptr;
+    for (const Row& row : table.rows) {
+        if (!has_texts(row, conditions)) continue;
+        const JsonCell* figure = figure_in(row, column);
+        if (!is_largest) return figure;
+        const double* number = figure == nullptr ? nullptr : std::get_if<double>(figure);
+        const double* largest = found == nullptr ? nullptr : std::get_if<double>(found);
+        if (found == nullptr || (number != nullptr && (largest == nullptr || *number > *largest))) found = figure;
+    }
+    return found;
 }
 
 std::string figure_text(const JsonCell& cell, double factor, const std::string& format)
@@ -66,13 +78,11 @@ std::string fill_figures(const std::string& text, const std::string& page, const
         const std::string rows = figure[2].matched ? figure[2].str() : "rows";
         const std::string key = figure[1].str() + '.' + rows;
         if (!tables.contains(key)) tables[key] = read_json_table(report / (figure[1].str() + ".json"), rows);
-        const Row* row = row_of(tables.at(key), conditions_in(figure[3]));
-        const auto cell = row == nullptr ? Row::const_iterator() : row->find(figure[4]);
-        if (row == nullptr || cell == row->end() || !is_figure(cell->second))
-            throw Error({.what = "no such figure: " + place.substr(5), .file = page});
-        const double factor = figure[5].matched ? std::stod(figure[5]) : 1.0;
+        const JsonCell* cell = figure_of(tables.at(key), conditions_in(figure[3]), figure[5], figure[4].matched);
+        if (cell == nullptr) throw Error({.what = "no such figure: " + place.substr(5), .file = page});
+        const double factor = figure[6].matched ? std::stod(figure[6]) : 1.0;
         filled.append(text, done, static_cast<std::size_t>(figure.position()) - done);
-        filled += place + "-->" + figure_text(cell->second, factor, figure[6]) + "<!--@-->";
+        filled += place + "-->" + figure_text(*cell, factor, figure[7]) + "<!--@-->";
         done = static_cast<std::size_t>(figure.position() + figure.length());
     }
     filled.append(text, done);

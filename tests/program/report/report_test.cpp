@@ -1,4 +1,5 @@
 // Figures in documents are those of the report, and what is no result has none.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -123,6 +124,18 @@ TEST(report_program, a_figure_that_was_typed_is_replaced)
     report.folder().write("pages/a.md", "| <!--@walk file=hall.level.json: inputs .0f-->5<!--@--> |\n");
     ASSERT_EQ(report.fill().exit_code, 0);
     EXPECT_THAT(bytes_of(report.page("a.md")), testing::HasSubstr("-->100000<!--@-->"));
+}
+
+TEST(report_program, a_page_can_tell_the_worst_of_all_rows)
+{
+    const ReportFolder report;
+    report.folder().write("pages/a.md", "<!--@lines path=quads: max missed x100 .3f-->0<!--@-->\n");
+    ASSERT_EQ(report.fill().exit_code, 0);
+    double worst = 0.0;
+    for (const auto& row : nlohmann::json::parse(bytes_of(kDocs / "report/results/lines.json"))["rows"])
+        if (row["path"] == "quads") worst = std::max(worst, row["missed"].get<double>());
+    EXPECT_GT(worst, 0.0);
+    EXPECT_THAT(bytes_of(report.page("a.md")), testing::HasSubstr(fmt::format("-->{:.3f}<!--@-->", 100.0 * worst)));
 }
 
 TEST(report_program, a_figure_that_no_result_has_is_refused_and_no_page_is_written)
