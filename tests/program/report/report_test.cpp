@@ -132,7 +132,8 @@ TEST(report_program, a_page_can_tell_the_worst_of_all_rows)
     report.folder().write("pages/a.md", "<!--@lines path=quads: max missed x100 .3f-->0<!--@-->\n");
     ASSERT_EQ(report.fill().exit_code, 0);
     double worst = 0.0;
-    for (const auto& row : nlohmann::json::parse(bytes_of(kDocs / "report/results/lines.json"))["rows"])
+    const auto lines = nlohmann::json::parse(bytes_of(kDocs / "report/results/lines.json"));
+    for (const auto& row : lines["rows"])
         if (row["path"] == "quads") worst = std::max(worst, row["missed"].get<double>());
     EXPECT_GT(worst, 0.0);
     EXPECT_THAT(bytes_of(report.page("a.md")), testing::HasSubstr(fmt::format("-->{:.3f}<!--@-->", 100.0 * worst)));
