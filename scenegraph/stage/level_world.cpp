@@ -87,6 +87,14 @@ void hide_by_rules(const Level& level, Scene& scene)
         hide_objects(scene, resolve_looks(level, scene, kFallbackStyle));
 }
 
+/// Where the scene lies; what lies far away is one of its doubts.
+ScenePlaces doubted_places(Scene& scene)
+{
+    ScenePlaces places = find_places(scene);
+    if (std::optional<std::string> doubt = stray_doubt(places, scene)) scene.doubts.push_back(std::move(*doubt));
+    return places;
+}
+
 }  // namespace
 
 Level read_level_with(const std::filesystem::path& file, const std::vector<std::string>& style_overrides)
@@ -101,6 +109,7 @@ Scene open_scene(const Level& level)
 {
     Scene scene = imported(level);
     hide_by_rules(level, scene);
+    doubted_places(scene);
     return scene;
 }
 
@@ -115,6 +124,7 @@ std::shared_ptr<LevelWorld> open_world(const Level& level, BakedLight baked_ligh
     hide_by_rules(level, world->scene);
     world->chunks.resize(world->scene.meshes.size());
     world->hidden = hidden_objects(world->scene);
+    world->places = doubted_places(world->scene);
     if (baked_light == BakedLight::if_there) add_baked_light(level, *world);
     return world;
 }

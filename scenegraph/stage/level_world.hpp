@@ -11,12 +11,14 @@
 #include "hatchway/world/level.hpp"
 #include "hatchway/world/light/lightmap.hpp"
 #include "hatchway/world/scene.hpp"
+#include "hatchway/world/scene_places.hpp"
 
 namespace hw {
 
 /// The model of a level: what a level's looks do not change. No device is needed up to here.
 struct LevelWorld {
     Scene scene;
+    ScenePlaces places;                ///< Of the scene as it is.
     std::vector<MeshChunks> chunks;    ///< One for each mesh of the scene.
     std::uint64_t geometry_key = 0;    ///< What compiled visibility is known by, beside what is hidden.
     std::optional<Lightmap> lightmap;  ///< The level's baked light, its stream added to the meshes.
@@ -32,8 +34,8 @@ Level read_level_with(const std::filesystem::path& file, const std::vector<std::
 
 enum class BakedLight : unsigned char { unwanted, if_there };
 
-/// The level's model without what the level's rules hide. Throws what import_model() and resolve_looks() throw, and
-/// hw::Error where a name of Level::structure reaches no node.
+/// The level's model without what the level's rules hide; its doubts tell of strays. Throws what import_model() and
+/// resolve_looks() throw, and hw::Error where a name of Level::structure reaches no node.
 Scene open_scene(const Level& level);
 
 /// Takes open_scene(), cuts its meshes into chunks, and takes the lightmap beside the level when it is wanted.

@@ -90,6 +90,7 @@ bool Stage::follow_looks()
     visibility_job_.reset();  // it reads the scene
     hide_objects(world.scene, shown_.looks);
     world.chunks.resize(world.scene.meshes.size());
+    world.places = find_places(world.scene);
     return true;
 }
 

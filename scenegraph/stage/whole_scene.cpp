@@ -8,7 +8,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
+
+#include "hatchway/world/scene_places.hpp"
 
 namespace hw {
 namespace {
@@ -70,9 +73,20 @@ std::uint64_t vertex_count(const Scene& scene)
     return count;
 }
 
-template <typename Use>
-void for_each_point(const Scene& scene, Use&& use)
+bool is_inside(const glm::dvec3& point, const Box& box)
 {
+    const glm::dvec3 roundings = 1e-6 * box.size();
+    return glm::all(glm::greaterThanEqual(point, box.min - roundings)) &&
+           glm::all(glm::lessThanEqual(point, box.max + roundings));
+}
+
+/// Of what lies together.
+template <typename Use>
+void for_each_point(const Scene& scene, const Box& main_world, Use&& use_all)
+{
+    const auto use = [&](const glm::dvec3& point) {
+        if (is_inside(point, main_world)) use_all(point);
+    };
     const bool has_vertices = vertex_count(scene) <= kMaxVertices;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const Object& object = scene.objects[id];
@@ -85,14 +99,14 @@ void for_each_point(const Scene& scene, Use&& use)
 }
 
 /// Moves the eye sideways until the scene reaches as far to the left as to the right, and as far up as down.
-glm::dvec3 centred(const Scene& scene, const Fit& fit)
+glm::dvec3 centred(const Scene& scene, const Box& main_world, const Fit& fit)
 {
     glm::dvec3 eye = fit.eye();
-    const double depth = glm::dot(scene.bounds_world.centre() - eye, kForward);
+    const double depth = glm::dot(main_world.centre() - eye, kForward);
     for (int step = 0; step < kCentringSteps; ++step) {
         glm::dvec2 min(std::numeric_limits<double>::infinity());
         glm::dvec2 max(-min);
-        for_each_point(scene, [&](const glm::dvec3& point) {
+        for_each_point(scene, main_world, [&](const glm::dvec3& point) {
             const glm::dvec3 arm = point - eye;
             const glm::dvec2 at =
                 glm::dvec2(glm::dot(arm, fit.right()), glm::dot(arm, fit.up())) / glm::dot(arm, kForward);
@@ -122,14 +136,16 @@ CameraPlace looking(const glm::dvec3& eye, const Box& bounds)
 CameraPlace whole_scene_camera(const Scene& scene, double aspect)
 {
     if (scene.bounds_world.is_empty()) return {-kForward, glm::dvec3(0.0), kFovDeg};
+    const Box main_world = find_places(scene).main_world;
     Fit fit(aspect);
-    for_each_point(scene, [&](const glm::dvec3& point) { fit.add(point); });
-    return looking(centred(scene, fit), scene.bounds_world);
+    for_each_point(scene, main_world, [&](const glm::dvec3& point) { fit.add(point); });
+    return looking(centred(scene, main_world, fit), main_world);
 }
 
 CameraPath turntable(const Scene& scene, double aspect)
 {
-    const Box bounds = scene.bounds_world.is_empty() ? Box{glm::dvec3(-0.1), glm::dvec3(0.1)} : scene.bounds_world;
+    const Box bounds =
+        scene.bounds_world.is_empty() ? Box{glm::dvec3(-0.1), glm::dvec3(0.1)} : find_places(scene).main_world;
     Fit fit(aspect);
     for (int key = 0; key < kTurnKeys; ++key) {
         const double angle = glm::radians(360.0) * key / kTurnKeys;

@@ -196,7 +196,7 @@ std::vector<View> views_of(const Stage& stage, const ShotArguments& arguments, c
 {
     std::vector<View> views;
     for (const Shot& shot : shots_of(arguments, stage.level(), stage.scene(), static_cast<double>(size.x) / size.y)) {
-        views.push_back(camera_view(shot.camera, size, stage.scene().bounds_world));
+        views.push_back(camera_view(shot.camera, size, stage.world().places.boxes_world));
         views.back().time_s = shot.time_s;
     }
     return views;

@@ -102,7 +102,7 @@ double slope(const std::vector<Row>& rows, double Row::*value)
 void draw_frames(Stage& stage, const ScaleArguments& arguments, const glm::ivec2& size, Row& row)
 {
     const CameraPlace camera{row.level.eye_world, row.level.target_world, 70.0};
-    const View view = camera_view(camera, size, stage.scene().bounds_world);
+    const View view = camera_view(camera, size, stage.world().places.boxes_world);
     FrameOptions options{.samples = 1, .is_timed = true};
     stage.draw(view, options);  // what is made on first use is no part of a frame
     std::vector<double> frame_ms, visibility_ms;

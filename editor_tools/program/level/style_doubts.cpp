@@ -40,7 +40,8 @@ void add_parameters(const Stage& stage, std::vector<std::string>& doubts)
 
 void rehearse(Stage& stage, std::vector<std::string>& doubts)
 {
-    const View view = camera_view(whole_scene_camera(stage.scene(), 1.0), kRehearsalSize, stage.scene().bounds_world);
+    const View view =
+        camera_view(whole_scene_camera(stage.scene(), 1.0), kRehearsalSize, stage.world().places.boxes_world);
     stage.draw(view, {.samples = 1, .use_pvs = false, .skips_hidden = false, .is_rehearsal = true});
     const std::vector<std::string> remarks = stage.renderer().remarks();
     doubts.insert(doubts.end(), remarks.begin(), remarks.end());

@@ -138,7 +138,9 @@ void draw_lines(const LinesArguments& arguments)
     for (const std::string& doubt : scene.doubts) log_warning(doubt);
     warn_of_idle_styles(level, scene, arguments.styles.size());
     const Shot shot = shots_of(arguments.shot, level, scene, static_cast<double>(size.x) / size.y).front();
-    const View view = camera_view(shot.camera, size, scene.bounds_world);
+    const std::vector<Box> boxes_world = find_places(scene).boxes_world;
+    const View view = camera_view(shot.camera, size, boxes_world);
+    warn_of_what_is_beyond(view, boxes_world);
     const LineCamera camera = line_camera(shot.camera, view);
     const auto start = std::chrono::steady_clock::now();
     LevelLines lines = lines_of(arguments, level, scene, registry, view);

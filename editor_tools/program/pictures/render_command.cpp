@@ -138,7 +138,8 @@ void render(const RenderArguments& arguments)
     Progress progress("Rendering", shots.size());
     for (std::size_t i = 0; i < shots.size(); ++i) {
         if (!part.has(i)) continue;
-        View view = camera_view(shots[i].camera, size, stage.scene().bounds_world);
+        View view = camera_view(shots[i].camera, size, stage.world().places.boxes_world);
+        warn_of_what_is_beyond(view, stage.world().places.boxes_world);
         view.time_s = shots[i].time_s;
         options.overlay.lines = shown_lines(stage, arguments.show, leaks, view, size);
         const FrameStats stats = stage.draw(view, options);

@@ -115,4 +115,15 @@ std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, c
     return {shot};
 }
 
+void warn_of_what_is_beyond(const View& view, std::span<const Box> boxes_world)
+{
+    const auto count = std::ranges::count_if(boxes_world, [&](const Box& box) { return is_beyond(view, box); });
+    if (count > 0)
+        log_warning(
+            fmt::format("{} {} more than 10,000 times as far behind the nearest thing as the parallel view is high, or "
+                        "{} there: not "
+                        "drawn there",
+                        count, count == 1 ? "thing lies" : "things lie", count == 1 ? "reaches" : "reach"));
+}
+
 }  // namespace hw

@@ -44,4 +44,7 @@ void check_shot_arguments(const ShotArguments& arguments);
 /// that sees the whole scene. Throws hw::Error that lists the cameras or paths that exist.
 std::vector<Shot> shots_of(const ShotArguments& arguments, const Level& level, const Scene& scene, double aspect);
 
+/// Of a parallel projection: warns where it would show what lies too deep to be drawn (is_beyond()).
+void warn_of_what_is_beyond(const View& view, std::span<const Box> boxes_world);
+
 }  // namespace hw

@@ -92,7 +92,7 @@ void WalkSession::build_worlds()
     leaks_ = options_.show.has_leaks ? told_leaks(stage_->level(), stage_->scene()).leaks : std::vector<Leak>();
     collides_.clear();
     build_own_collision();
-    body_ = body_for(stage_->scene().bounds_world, is_level_file(stage_->level().file));
+    body_ = body_for(stage_->world().places.main_world, is_level_file(stage_->level().file));
 }
 
 void WalkSession::build_own_collision()
@@ -379,7 +379,7 @@ double WalkSession::view_time_s() const
 View WalkSession::view(glm::ivec2 size_px, float px_scale) const
 {
     const Camera now = camera();
-    View view = camera_view(camera_place(now), size_px, stage_->scene().bounds_world, px_scale);
+    View view = camera_view(camera_place(now), size_px, stage_->world().places.boxes_world, px_scale);
     view.time_s = view_time_s();
     return view;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "hatchway/core/box.hpp"
 #include "hatchway/style/view.hpp"
@@ -17,10 +18,17 @@ struct CameraPlace {
 
 CameraPlace camera_place(const Camera& camera);
 
-/// The view of a camera, y up. The depth range follows from the scene's bounds and the eye alone, never
-/// from what is visible, so that pictures do not depend on the PVS. A target at the eye looks along -z. In a parallel
-/// projection, too, what is behind the eye is not seen.
+/// The view of a camera, y up. The depth range follows from where the scene lies (find_places()) and the eye alone,
+/// never from what is visible, so that pictures do not depend on the PVS. What lies far away, or is far larger than all
+/// that is near, does not move the near plane; a perspective has no far plane then. A target at the eye looks along
+/// -z. In a parallel projection, too, what is behind the eye is not seen; there is_beyond() tells what lies too deep.
+View camera_view(const CameraPlace& camera, glm::ivec2 size_px, std::span<const Box> boxes_world,
+                 float px_scale = 1.0f);
 View camera_view(const CameraPlace& camera, glm::ivec2 size_px, const Box& scene_bounds, float px_scale = 1.0f);
+
+/// Whether a parallel projection would show something of the box, did it not lie beyond its far plane: more than ten
+/// thousand times as deep as the picture is high, where depth would be coarser than what is seen.
+bool is_beyond(const View& view, const Box& box_world);
 
 /// A camera from which the whole scene is seen, from the front and a little above.
 CameraPlace overview_camera(const Box& scene_bounds, double aspect);

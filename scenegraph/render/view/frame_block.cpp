@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 namespace hw {
 namespace {
@@ -88,7 +89,7 @@ glm::vec2 depth_range(const View& view)
     const double a = view.clip_from_view[2][2];
     const double b = view.clip_from_view[3][2];
     if (view.is_orthographic()) return {(b + 1.0) / a, (b - 1.0) / a};
-    return {b / (a - 1.0), b / (a + 1.0)};
+    return {b / (a - 1.0), a < -1.0 ? b / (a + 1.0) : std::numeric_limits<float>::max()};
 }
 
 SceneLight choose_lights(std::span<const Light> lights, const Box& bounds_world)

@@ -53,7 +53,7 @@ glm::vec3 linear_from_srgb(const glm::vec3& srgb);
 /// Pixels that a thing of unit slope spans: half the picture's height over the tangent of half the field of view. In a
 /// parallel projection the pixels of a metre.
 float focal_px(const View& view);
-/// Distances of the near and far plane, read from the projection.
+/// Distances of the near and far plane, read from the projection; the largest float where there is no far plane.
 glm::vec2 depth_range(const View& view);
 
 }  // namespace hw
