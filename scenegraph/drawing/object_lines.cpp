@@ -3,13 +3,48 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "hatchway/geometry/surface/surface_faces.hpp"
 
 namespace hw {
 namespace {
+
+/// Normals around an edge. Where half a turn holds all of them, all look away from where the outermost two do.
+class OutermostNormals {
+ public:
+    explicit OutermostNormals(const glm::vec3& along) : along_(glm::normalize(along)) {}
+
+    void add(const glm::vec3& normal)
+    {
+        if (has_gap_) return;
+        has_gap_ = normal == glm::vec3(0.0f);
+        if (first_ == glm::vec3(0.0f)) first_ = low_.normal = high_.normal = normal;
+        const float angle = std::atan2(glm::dot(glm::cross(first_, normal), along_), glm::dot(first_, normal));
+        if (angle < low_.angle) low_ = {angle, normal};
+        if (angle > high_.angle) high_ = {angle, normal};
+    }
+    /// None where no half turn holds all, or one had no direction.
+    std::optional<std::array<glm::vec3, 2>> found() const
+    {
+        if (has_gap_ || high_.angle - low_.angle > std::numbers::pi_v<float>) return std::nullopt;
+        return std::array{low_.normal, high_.normal};
+    }
+
+ private:
+    struct Turned {
+        float angle = 0.0f;
+        glm::vec3 normal{0.0f};
+    };
+
+    glm::vec3 along_, first_{0.0f};
+    Turned low_, high_;
+    bool has_gap_ = false;
+};
 
 class LineCollector {
  public:
@@ -67,15 +102,32 @@ class LineCollector {
     {
         return is_culled_ && face < surface_.faces.size() && !surface_.is_two_sided(face);
     }
-    /// None for complex edges: they have more.
     LineSides sides_of(std::uint32_t id) const
     {
         const auto [a, b] = surface_.edges[id].faces();
         if (b == kNoFace) return {normal_of(a), normal_of(a), is_culled(a)};
-        if (id < surface_.edges.two_faced().begin) return {};
+        if (id < surface_.edges.two_faced().begin) return sides_of_complex(id);
         const LineSides both{normal_of(a), normal_of(b), is_culled(a) && is_culled(b)};
         const bool has_both = both.normal_a != glm::vec3(0.0f) && both.normal_b != glm::vec3(0.0f);
         return has_both ? both : LineSides{};
+    }
+    /// The outermost two, where from somewhere all are culled.
+    LineSides sides_of_complex(std::uint32_t id) const
+    {
+        const auto [from, to] = edge_vertices(surface_, id);
+        const glm::vec3 along = surface_.positions[to] - surface_.positions[from];
+        const auto [a, b] = surface_.edges[id].faces();
+        OutermostNormals outermost(along);
+        bool are_culled = true;
+        const auto add = [&](std::uint32_t face) {
+            outermost.add(normal_of(face));
+            are_culled &= is_culled(face);
+        };
+        add(a);
+        add(b);
+        for (const MoreFace& more : surface_.edges.more_faces_at(id)) add(more.face);
+        const auto sides = outermost.found();
+        return are_culled && sides ? LineSides{(*sides)[0], (*sides)[1], true} : LineSides{};
     }
 
     const Surface& surface_;

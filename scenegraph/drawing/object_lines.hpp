@@ -16,8 +16,8 @@ namespace hw {
 
 /// The faces beside a line.
 struct LineSides {
-    /// Unit normals, equal at a border; zero: not known, or more than two faces. Where they disagree about the eye the
-    /// line is a silhouette.
+    /// Unit normals, equal at a border; zero: not known. Of more than two faces the outermost, or zero where never all
+    /// are culled. Where those of two faces disagree about the eye the line is a silhouette.
     glm::vec3 normal_a{0.0f};
     glm::vec3 normal_b{0.0f};
     bool are_culled = false;  ///< The line is not drawn where both look away.

@@ -164,13 +164,15 @@ class ObjectGathering {
         return facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], drawn_.eye_object) < 0;
     }
 
-    /// Whether all faces beside an edge are absent. Complex edges have more faces than the table names.
+    /// Whether all faces beside an edge are absent.
     bool is_behind_the_scenes(std::uint32_t edge) const
     {
-        const auto [a, b] = object_.surface->edges[edge].faces();
+        const EdgeTable& edges = object_.surface->edges;
+        const auto [a, b] = edges[edge].faces();
         if (!object_.is_culled || !is_absent(a)) return false;
-        if (b == kNoFace) return true;
-        return edge >= object_.surface->edges.two_faced().begin && is_absent(unturned(b));
+        if (b != kNoFace && !is_absent(unturned(b))) return false;
+        return std::ranges::all_of(edges.more_faces_at(edge),
+                                   [&](const MoreFace& more) { return is_absent(more.face); });
     }
 
     void add_line(std::uint32_t edge, LineClass line_class)

@@ -1,5 +1,6 @@
 #include "hatchway/geometry/surface/edge_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -26,6 +27,12 @@ std::uint32_t crease_end(const Surface& surface, EdgeRange group, float crease_r
 }
 
 }  // namespace
+
+std::span<const MoreFace> EdgeTable::more_faces_at(std::uint32_t edge) const
+{
+    const auto found = std::ranges::equal_range(more_faces, edge, {}, &MoreFace::edge);
+    return {found.begin(), found.end()};
+}
 
 float fold_rad(const Surface& surface, std::uint32_t face_a, std::uint32_t face_b)
 {

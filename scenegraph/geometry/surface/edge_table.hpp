@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hatchway/geometry/topology/directed_edges.hpp"
@@ -41,9 +42,16 @@ struct Edge {
     bool operator==(const Edge&) const = default;
 };
 
+/// A face at a complex edge that Edge does not name.
+struct MoreFace {
+    std::uint32_t edge;
+    std::uint32_t face;
+};
+
 /// All edges of a surface. An edge id is a place in this table.
 struct EdgeTable {
     std::vector<Edge> edges;
+    std::vector<MoreFace> more_faces;                              ///< By edge.
     std::array<std::uint32_t, kEdgeGroupCount + 1> group_begin{};  ///< group_begin[g] .. group_begin[g + 1]
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(edges.size()); }
@@ -55,6 +63,8 @@ struct EdgeTable {
     /// Edges of exactly two faces.
     EdgeRange two_faced() const { return {group_begin[1], size()}; }
     const Edge& operator[](std::uint32_t edge) const { return edges[edge]; }
+    /// Beside the two that the edge names: none but at complex edges.
+    std::span<const MoreFace> more_faces_at(std::uint32_t edge) const;
 };
 
 struct Surface;

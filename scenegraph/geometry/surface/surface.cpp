@@ -135,6 +135,8 @@ class SurfaceBuild {
             Edge edge{Edge::side(use.face, use.corner), uses.size() == 1 ? kNoFace : uses[1].face};
             if (uses.size() != 2) {
                 ++(uses.size() == 1 ? report.border_edges : report.complex_edges);
+                for (std::size_t i = 2; i < uses.size(); ++i)
+                    surface_.edges.more_faces.push_back({surface_.edges.size(), uses[i].face});
                 surface_.edges.edges.push_back(edge);
                 return;
             }
@@ -203,7 +205,7 @@ Surface build_surface(const MeshData& mesh, const SurfaceOptions& options)
 
 OutlineBytes outline_bytes(const Surface& surface)
 {
-    return {.edges = surface.edges.edges.size() * sizeof(Edge),
+    return {.edges = surface.edges.edges.size() * sizeof(Edge) + surface.edges.more_faces.size() * sizeof(MoreFace),
             .planes = surface.filter.bytes(),
             .clusters = surface.clusters.bytes()};
 }

@@ -258,6 +258,26 @@ TEST(visible_lines, faces_that_are_culled_hide_nothing_and_carry_no_lines)
     EXPECT_GT(total(hw::find_visible_lines(objects, kFront), true, 1), 100.0);
 }
 
+TEST(visible_lines, an_edge_of_three_faces_is_left_out_only_where_all_of_them_are_culled)
+{
+    hw::MeshData mesh;
+    mesh.positions = {{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0.5f, 0, -1}};
+    mesh.indices = {0, 2, 1, 0, 1, 3, 0, 1, 4};
+    const auto length = [](const hw::MeshData& faces) {
+        const hw::Surface surface = hw::build_surface(faces);
+        const std::vector<hw::LineObject> objects{{.surface = &surface, .is_culled = true}};
+        return total(hw::find_visible_lines(objects, kFront), true, 0);
+    };
+    EXPECT_EQ(length(mesh), 0.0);
+    for (std::size_t face = 0; face < 3; ++face) {
+        hw::MeshData one_here = mesh;
+        std::swap(one_here.indices[3 * face + 1], one_here.indices[3 * face + 2]);
+        hw::MeshData alone = mesh;
+        alone.indices.assign(&one_here.indices[3 * face], &one_here.indices[3 * face] + 3);
+        EXPECT_NEAR(length(one_here), length(alone), 1.0) << face;
+    }
+}
+
 namespace {
 
 /// A sheet that looks at kFront, of twelve triangles left of x = -1, and a flap right of it that meets it back to
