@@ -64,8 +64,8 @@ void draw_products(const Frame& frame)
         if (needs.lightmap) scene.lightmap.prepare();
         const bool is_all_baked = needs.lightmap && scene.is_all_baked;
         if (needs.shadow == ShadowNeed::main_light && !is_all_baked)
-            scene.shadow.prepare(*scene.input.scene, scene.repeats, scene.gpu, scene.light, frame.device.programs,
-                                 frame.device.state, shadow_side_px);
+            scene.shadow.prepare(*scene.input.scene, frame.view.camera.eye_world, scene.repeats, scene.gpu, scene.light,
+                                 frame.device.programs, frame.device.state, shadow_side_px);
     };
     for (int i = 0; i < style_count(frame); ++i)
         if (!frame.view.plan.styles[i].is_empty()) prepare(scene.needs[i]);

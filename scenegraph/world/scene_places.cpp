@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "hatchway/world/mesh_parts.hpp"
 
 namespace hw {
 namespace {
 
-constexpr double kFar = 100.0;       // distances from the middle, by those of what lies together
+constexpr double kFar = 100.0;  // distances from the middle, by those of what lies together
+constexpr double kApart = 30.0;
 constexpr double kMainShare = 0.75;  // of all triangles
+constexpr double kPlaceShare = 0.02;
 
 struct Piece {
     Box bounds_world;
@@ -59,24 +62,60 @@ glm::dvec3 median(std::vector<Piece> pieces)
     return result;
 }
 
-/// How far from the middle the main place reaches.
-double main_reach(const std::vector<Piece>& pieces, const std::vector<double>& reach)
+std::vector<double> reach_of(const std::vector<Box>& boxes, const glm::dvec3& middle)
 {
-    const double enough = kMainShare * triangle_count(pieces);
-    double end = 0.0;
-    for (double inside = 0.0; inside < enough;) {
-        end = end_of_group(reach, end, kFar);
-        inside = 0.0;
-        for (std::size_t i = 0; i < pieces.size(); ++i) inside += reach[i] <= end ? pieces[i].triangles : 0.0;
-    }
-    return end;
+    std::vector<double> reach;
+    for (const Box& box : boxes) reach.push_back(farthest(box, middle));
+    return reach;
 }
 
-/// Not what others stand on, or what surrounds them.
-bool is_away(const Box& box, const Box& main_world)
+/// Of what reaches no farther; the scene's own bounds, to the last bit, where that is all.
+Box box_within(const ScenePlaces& places, const std::vector<double>& reach, double end)
 {
-    const glm::dvec3 gap = glm::max(box.min - main_world.max, main_world.min - box.max);
-    return std::max({gap.x, gap.y, gap.z}) > glm::length(main_world.size());
+    if (std::ranges::all_of(reach, [&](double r) { return r <= end; })) return places.bounds_world;
+    Box box;
+    for (std::size_t i = 0; i < reach.size(); ++i)
+        if (reach[i] <= end) box.add(places.boxes_world[i]);
+    return box;
+}
+
+double triangles_within(const ScenePlaces& places, const std::vector<double>& reach, double end)
+{
+    double count = 0.0;
+    for (std::size_t i = 0; i < reach.size(); ++i) count += reach[i] <= end ? places.triangles[i] : 0.0;
+    return count;
+}
+
+bool is_away(const Box& box, const Box& from)
+{
+    const glm::dvec3 gap = glm::max(box.min - from.max, from.min - box.max);
+    return std::max({gap.x, gap.y, gap.z}) > glm::length(from.size());
+}
+
+/// Flat, and so large that what stands there is a trifle.
+bool is_endless_ground(const Box& box, const Box& under)
+{
+    const glm::dvec3 size = box.size();
+    const double width = glm::length(size);
+    return width > 100.0 * glm::length(under.size()) && std::min({size.x, size.y, size.z}) < 0.01 * width;
+}
+
+/// How far from the middle what lies together there reaches: with this share of all triangles or more, up to a gap of
+/// that factor beyond which all is far away, or a ground without end. A room belongs to what is in it.
+double reach_of_place(const ScenePlaces& places, const std::vector<double>& reach, double share, double factor)
+{
+    const double enough = share * std::accumulate(places.triangles.begin(), places.triangles.end(), 0.0);
+    double end = end_of_group(reach, 0.0, factor);
+    for (double next = end;; end = next) {
+        const Box box = box_within(places, reach, end);
+        bool is_whole = triangles_within(places, reach, end) >= enough;
+        for (std::size_t i = 0; i < reach.size() && is_whole; ++i) {
+            const Box& other = places.boxes_world[i];
+            is_whole = reach[i] <= end || is_away(other, box) || is_endless_ground(other, box);
+        }
+        next = end_of_group(reach, end, factor);
+        if (is_whole || next == end) return end;
+    }
 }
 
 }  // namespace
@@ -102,22 +141,30 @@ double farthest(const Box& box, const glm::dvec3& point)
 ScenePlaces find_places(const Scene& scene)
 {
     const std::vector<Piece> pieces = pieces_of(scene);
-    const glm::dvec3 middle = median(pieces);
-    std::vector<double> reach;
-    for (const Piece& piece : pieces) reach.push_back(farthest(piece.bounds_world, middle));
-    const double end = main_reach(pieces, reach);
     ScenePlaces places;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        places.boxes_world.push_back(pieces[i].bounds_world);
-        if (reach[i] <= end) places.main_world.add(pieces[i].bounds_world);
+    places.bounds_world = scene.bounds_world;
+    for (const Piece& piece : pieces) {
+        places.boxes_world.push_back(piece.bounds_world);
+        places.triangles.push_back(piece.triangles);
     }
-    if (std::ranges::all_of(reach, [&](double r) { return r <= end; })) places.main_world = scene.bounds_world;
+    const std::vector<double> reach = reach_of(places.boxes_world, median(pieces));
+    const double end = reach_of_place(places, reach, kMainShare, kFar);
+    places.main_world = box_within(places, reach, end);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const bool is_stray = reach[i] > end && is_away(pieces[i].bounds_world, places.main_world);
         const bool is_known = !places.strays.empty() && places.strays.back() == pieces[i].object;
         if (is_stray && !is_known) places.strays.push_back(pieces[i].object);
     }
     return places;
+}
+
+Box place_around(const ScenePlaces& places, const glm::dvec3& eye_world)
+{
+    const std::vector<double> from_eye = reach_of(places.boxes_world, eye_world);
+    if (from_eye.empty()) return places.bounds_world;
+    const auto nearest = static_cast<std::size_t>(std::ranges::min_element(from_eye) - from_eye.begin());
+    const std::vector<double> reach = reach_of(places.boxes_world, places.boxes_world[nearest].centre());
+    return box_within(places, reach, reach_of_place(places, reach, kPlaceShare, kApart));
 }
 
 std::optional<std::string> stray_doubt(const ScenePlaces& places, const Scene& scene)

@@ -16,6 +16,8 @@ struct ScenePlaces {
     /// One for each object that is drawn; where a mesh has parts that lie far apart, or are of very different size, one
     /// for each. Together they hold all of the scene.
     std::vector<Box> boxes_world;
+    std::vector<double> triangles;  ///< In each of the boxes.
+    Box bounds_world;               ///< Of all.
     /// What lies together, with three quarters of all triangles or more. Empty where nothing is drawn.
     Box main_world;
     /// Objects that are far away from the main place, or have a part there; each once, in their order.
@@ -23,6 +25,9 @@ struct ScenePlaces {
 };
 
 ScenePlaces find_places(const Scene& scene);
+
+/// What lies together where the eye is, with a fiftieth of all triangles or more; all where nothing lies far away.
+Box place_around(const ScenePlaces& places, const glm::dvec3& eye_world);
 
 /// What a user should know of strays, with the path of the first; nothing where there is none.
 std::optional<std::string> stray_doubt(const ScenePlaces& places, const Scene& scene);

@@ -114,8 +114,7 @@ class far_away : public RendererTest {
  protected:
     Pixels seen(const glm::dvec3& eye, const glm::dvec3& target)
     {
-        TestStyle style{glm::vec3(0.0f)};
-        load(style);
+        load(style_);
         std::vector<Box> boxes;
         for (const Object& object : scene_.objects) boxes.push_back(object.bounds_world);
         return draw(camera_view({eye, target, 60.0}, kSize, boxes), {.samples = 1});
@@ -125,6 +124,16 @@ class far_away : public RendererTest {
         add_object(scene_, box_mesh(glm::vec3(static_cast<float>(size))), glm::translate(glm::dmat4(1.0), at),
                    painted(glm::vec3(0.8f)));
     }
+    /// A floor with a block on it, in the sun.
+    void lit_block(const glm::dvec3& at)
+    {
+        style_.fragment_file = "test_shadow.frag";
+        style_.shadow = ShadowNeed::main_light;
+        input_.lights = {{.type = LightType::sun, .intensity = 50'000.0f, .direction_world = {-0.5, -0.5, 0.2}}};
+        add_object(scene_, floor_mesh(12.0f), glm::translate(glm::dmat4(1.0), at), painted(glm::vec3(0.6f)));
+        box(at + glm::dvec3(0, 1, 0), 2.0);
+    }
+    TestStyle style_{glm::vec3(0.0f)};
 };
 
 }  // namespace
@@ -135,6 +144,20 @@ TEST_F(far_away, strays_change_no_pixel_where_they_are_not_seen)
     const Pixels alone = seen({3, 2, 4}, {0, 0, 0});
     for (const glm::dvec3& at : {glm::dvec3(1e7, 0, 0), glm::dvec3(-1e6, 0, 0), glm::dvec3(0, 1e9, 0)}) box(at, 0.5);
     EXPECT_EQ(seen({3, 2, 4}, {0, 0, 0}).bytes, alone.bytes);
+}
+
+TEST_F(far_away, strays_and_other_places_change_no_shadow)
+{
+    const glm::dvec3 eye(6, 5, 2), there(1e6, 0, 0);
+    style_ = TestStyle(glm::vec3(0.9f));
+    lit_block({0, 0, 0});
+    const Pixels alone = seen(eye, {0, 0, 0});
+    EXPECT_GT(count_dark(alone, 60), 200) << "the shadow";
+    for (const glm::dvec3& at : {glm::dvec3(1e3, 0, 0), glm::dvec3(-1e6, 0, 0), glm::dvec3(0, 1e9, 0)}) box(at, 0.5);
+    EXPECT_EQ(seen(eye, {0, 0, 0}).bytes, alone.bytes);
+    lit_block(there);
+    EXPECT_EQ(seen(eye, {0, 0, 0}).bytes, alone.bytes);
+    EXPECT_LE(share_unlike(alone, seen(there + eye, there), 3), 0.002);
 }
 
 TEST_F(far_away, a_stray_that_is_large_enough_is_seen)

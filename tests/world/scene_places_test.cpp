@@ -137,6 +137,25 @@ TEST_F(scene_places, a_ground_without_end_in_the_mesh_of_what_stands_on_it_is_a_
     EXPECT_EQ(parts[1].triangles, 2u);
 }
 
+TEST_F(scene_places, around_an_eye_are_what_lies_together_there)
+{
+    const glm::dvec3 there(1e6, 0, 0);
+    for (int i = 0; i < 3; ++i) builder_.box(there + glm::dvec3(i), there + glm::dvec3(i + 1), false);
+    stray({0, 1e5, 0});
+    ground(1e7);
+    const ScenePlaces found = places();
+    EXPECT_TRUE(is_same(hw::place_around(found, {5, 2, 2}), house_));
+    EXPECT_TRUE(is_same(hw::place_around(found, {5, 2, 5000}), house_)) << "from afar";
+    EXPECT_TRUE(is_same(hw::place_around(found, there - 3.0), {there, there + 3.0}));
+}
+
+TEST_F(scene_places, around_an_eye_beside_a_trifle_are_all)
+{
+    for (int i = 0; i < 50; ++i) builder_.box({5, 2, 2}, {5.01, 2.01, 2.01}, false);
+    EXPECT_TRUE(is_same(hw::place_around(places(), {5, 2, 2.001}), house_));
+    EXPECT_TRUE(is_same(places().main_world, house_)) << "most triangles are the trifle's";
+}
+
 TEST(scene_places_of_nothing, are_none)
 {
     const ScenePlaces found = hw::find_places(hw::Scene());

@@ -59,6 +59,11 @@ int drawable_side(const Scene& scene, const VisibleSet& casters, int side_px)
     return side;
 }
 
+bool is_same(const Box& a, const Box& b)
+{
+    return a.min == b.min && a.max == b.max;
+}
+
 }  // namespace
 
 glm::dmat4 sun_clip_from_world(const glm::dvec3& direction_world, const Box& bounds_world)
@@ -74,13 +79,16 @@ glm::dmat4 sun_clip_from_world(const glm::dvec3& direction_world, const Box& bou
     return glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z) * light_from_world;
 }
 
-void ShadowMap::prepare(const Scene& scene, std::span<const std::uint8_t> left_out, GpuScene& gpu_scene,
-                        const SceneLight& light, ProgramStore& programs, GpuState& state, int side_px)
+void ShadowMap::prepare(const Scene& scene, const glm::dvec3& eye_world, std::span<const std::uint8_t> left_out,
+                        GpuScene& gpu_scene, const SceneLight& light, ProgramStore& programs, GpuState& state,
+                        int side_px)
 {
-    const bool is_there = frame_.is_drawn && wanted_side_px_ == side_px;
-    if (is_there || light.main_light == kNone || scene.bounds_world.is_empty()) return;
-    const glm::dmat4 clip_from_world =
-        sun_clip_from_world(light.lights[light.main_light].direction_world, scene.bounds_world);
+    if (light.main_light == kNone || scene.bounds_world.is_empty()) return;
+    if (!places_) places_ = find_places(scene);
+    const Box place_world = place_around(*places_, eye_world);
+    if (frame_.is_drawn && wanted_side_px_ == side_px && is_same(place_world_, place_world)) return;
+    place_world_ = place_world;
+    const glm::dmat4 clip_from_world = sun_clip_from_world(light.lights[light.main_light].direction_world, place_world);
     const VisibleSet casters = casters_of(scene, left_out, gpu_scene, clip_from_world);
     wanted_side_px_ = side_px;
     side_px = drawable_side(scene, casters, side_px);
