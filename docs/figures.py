@@ -556,8 +556,8 @@ def readme_pictures(studio):
 
 
 def pages_of_lines(studio):
-    """The hall in the styles whose lines come from the edge map."""
-    for style in ("technical", "cartoon", "halftone"):
+    """The hall in the styles whose lines come from images."""
+    for style in ("technical", "cartoon", "halftone", "id_outline"):
         picture = studio.render(hall_in(style), "--camera", "entrance", size="960x600")
         write_png(os.path.join(ROOT, "npr_plugins", style, f"{style}.png"), picture)
 

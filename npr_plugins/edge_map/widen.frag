@@ -10,7 +10,7 @@ uniform vec3 reach_px;
 
 #ifdef ALONG_ROWS
 layout(location = 0) out vec4 inner_found;    // strength, at_px, pixels along the row / 255
-layout(location = 1) out vec4 profile_found;  // strength, (pixels along the row + 128) / 255, 1 where it lies beyond
+layout(location = 1) out vec4 profile_found;  // strength, (pixels along the row + 128) / 255, 1 where it lies beyond, border
 const ivec2 kWay = ivec2(1, 0);
 #else
 layout(location = 0) out vec4 edge_map;
@@ -23,6 +23,7 @@ struct Edge {
     float at_px;      // of inner edges
     vec2 away_px;
     bool is_beyond;  // of profile edges
+    float border;    // of profile edges
 };
 
 float inner_cover(Edge e) { return e.strength * clamp(reach_px.x + 0.5 - length(e.away_px) - e.at_px, 0.0, 1.0); }
@@ -36,9 +37,9 @@ Edge inner_at(ivec2 place, int along)
 {
     vec4 e = texelFetch(inner_edges, place, 0);
 #ifdef ALONG_ROWS
-    return Edge(e.r, e.g, vec2(float(along), 0.0), false);
+    return Edge(e.r, e.g, vec2(float(along), 0.0), false, 0.0);
 #else
-    return Edge(e.r, e.g, vec2(255.0 * e.b, float(along)), false);
+    return Edge(e.r, e.g, vec2(255.0 * e.b, float(along)), false, 0.0);
 #endif
 }
 
@@ -46,9 +47,9 @@ Edge profile_at(ivec2 place, int along)
 {
     vec4 e = texelFetch(profile_edges, place, 0);
 #ifdef ALONG_ROWS
-    return Edge(e.b, 0.0, vec2(float(along), 0.0), false);
+    return Edge(e.b, 0.0, vec2(float(along), 0.0), false, e.a);
 #else
-    return Edge(e.r, 0.0, vec2(floor(255.0 * e.g + 0.5) - 128.0, float(along)), e.b > 0.5);
+    return Edge(e.r, 0.0, vec2(floor(255.0 * e.g + 0.5) - 128.0, float(along)), e.b > 0.5, e.a);
 #endif
 }
 
@@ -85,9 +86,10 @@ void main()
     }
 #ifdef ALONG_ROWS
     inner_found = vec4(inner.strength, inner.at_px, abs(inner.away_px.x) / 255.0, 1.0);
-    profile_found = vec4(profile.strength, (profile.away_px.x + 128.0) / 255.0, profile.is_beyond ? 1.0 : 0.0, 1.0);
+    profile_found = vec4(profile.strength, (profile.away_px.x + 128.0) / 255.0, profile.is_beyond ? 1.0 : 0.0, profile.border);
 #else
-    edge_map = vec4(1.0 - inner_cover(inner), 1.0 - profile_cover(profile), 0.0, 1.0);
+    float covered = profile_cover(profile);
+    edge_map = vec4(1.0 - inner_cover(inner), 1.0 - covered, 1.0 - profile.border * covered, 1.0);
     owner = vec4((vec2(profile.is_beyond ? profile.away_px : vec2(0.0)) + 128.0) / 255.0, 0.0, 1.0);
 #endif
 }

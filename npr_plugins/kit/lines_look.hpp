@@ -20,15 +20,17 @@ struct TwoPens {
 };
 
 /// Where the lines of a style come from, for styles whose shader includes lines_look.glsl: the edges of the meshes,
-/// drawn with all that a LineLook has, or the image edge_map, mixed into the faces. Of the edge map profile edges have
-/// the pen of silhouettes, inner edges that of ridges. `look` and `edges` are the same in all calls.
+/// drawn with all that a LineLook has, or the image edge_map, mixed into the faces, by normals and depth or by the
+/// numbers of triangles. Profile edges have the pen of silhouettes; inner edges that of ridges. By numbers borders have
+/// a pen of their own, but the width of silhouettes; where surfaces meet without a common corner is an intersection,
+/// and nothing is known of creases. `look` and `edges` are the same in all calls.
 struct LinesLook {
-    enum class From { none, object, edge_map };
+    enum class From { none, object, edge_map, ids };
 
     explicit LinesLook(From by_default) : from(by_default) {}
 
     From from;
-    float halo_px = 0.0f;  ///< Of the edge map: how far profile lines reach beyond their object.
+    float halo_px = 0.0f;  ///< Of images: how far profile lines reach beyond their object.
 
     void visit_params(ParamVisitor& visitor);
     void add_needs(Needs& needs, const LineLook& look, const EdgeNeed& edges) const;
@@ -46,8 +48,11 @@ struct LinesLook {
     void draw_halo(Pass& pass, const LineLook& look, const EdgeNeed& edges) const;
 
  private:
-    bool has_halo() const { return from == From::edge_map && halo_px > 0.0f; }
-    static ImageKey source();
+    bool is_image() const { return from == From::edge_map || from == From::ids; }
+    bool has_halo() const { return is_image() && halo_px > 0.0f; }
+    /// What the edge map is made of; output 0 or 1 of it has the depth.
+    ImageKey source() const;
+    LineClass inner_class() const { return from == From::ids ? LineClass::intersection : LineClass::ridge; }
     ImageKey edge_map(const LineLook& look, const EdgeNeed& edges) const;
 
     Program mask_program_, halo_program_;
@@ -76,19 +81,19 @@ inline LineLook TwoPens::look() const
 
 inline void LinesLook::visit_params(ParamVisitor& visitor)
 {
-    static constexpr std::array<std::string_view, 3> kFrom{"none", "object", "edge_map"};
-    visitor.choice(
-        {"lines_from",
-         "What lines are drawn by: nothing, the edges of the model, or an image of edges in normals and depth.",
-         ParamChange::rebuild},
-        from, kFrom);
-    visitor.real(
-        {"halo_px", "How far profile lines from the edge map reach beyond their object.", ParamChange::rebuild},
-        halo_px, 0.0f, 8.0f);
+    static constexpr std::array<std::string_view, 4> kFrom{"none", "object", "edge_map", "ids"};
+    visitor.choice({"lines_from",
+                    "What lines are drawn by: nothing, the edges of the model, an image of edges in normals and depth, "
+                    "or one of triangles that share no corner, which knows no creases.",
+                    ParamChange::rebuild},
+                   from, kFrom);
+    visitor.real({"halo_px", "How far profile lines from an image reach beyond their object.", ParamChange::rebuild},
+                 halo_px, 0.0f, 8.0f);
 }
 
-inline ImageKey LinesLook::source()
+inline ImageKey LinesLook::source() const
 {
+    if (from == From::ids) return {"triangle_ids", {{"planes", true}}};
     return {"normal_depth", {{"format", std::string("rgba32f")}, {"normal", std::string("face")}}};
 }
 
@@ -98,24 +103,29 @@ inline ImageKey LinesLook::edge_map(const LineLook& look, const EdgeNeed& edges)
     const auto width_px = [&](LineClass pen) {
         return static_cast<double>(std::clamp(look[pen].width_px, 1.0f, 8.0f));
     };
-    return {"edge_map",
-            {{"width_px", width_px(LineClass::silhouette)},
-             {"inner_width_px", width_px(LineClass::ridge)},
-             {"halo_px", static_cast<double>(halo_px)},
-             {"crease_deg", static_cast<double>(glm::degrees(edges.crease_rad))}}};
+    ImageKey key{"edge_map",
+                 {{"width_px", width_px(LineClass::silhouette)},
+                  {"inner_width_px", width_px(inner_class())},
+                  {"halo_px", static_cast<double>(halo_px)}}};
+    if (from == From::ids)
+        key.params["operator"] = std::string("ids");
+    else
+        key.params["crease_deg"] = static_cast<double>(glm::degrees(edges.crease_rad));
+    return key;
 }
 
 inline void LinesLook::add_needs(Needs& needs, const LineLook& look, const EdgeNeed& edges) const
 {
     if (from == From::object) needs.edges = edges;
-    if (from == From::edge_map) needs.images = {source(), edge_map(look, edges)};
+    if (is_image()) needs.images = {source(), edge_map(look, edges)};
 }
 
 inline std::string LinesLook::defines() const
 {
-    static constexpr std::array kDefines{"", "#define LINES_FROM_EDGE_MAP 1\n",
-                                         "#define LINES_FROM_EDGE_MAP 1\n#define LINES_HALO 1\n"};
-    return kDefines[static_cast<std::size_t>(from == From::edge_map) + static_cast<std::size_t>(has_halo())];
+    std::string defines = is_image() ? "#define LINES_FROM_EDGE_MAP 1\n" : "";
+    if (from == From::ids) defines += "#define LINES_TELL_BORDERS 1\n";
+    if (has_halo()) defines += "#define LINES_HALO 1\n";
+    return defines;
 }
 
 inline void LinesLook::prepare(ProgramCache& programs)
@@ -141,12 +151,13 @@ inline glm::vec4 pen_uniform(const Pen& pen)
 inline void LinesLook::set_uniforms(Uniforms& uniforms, const Pass& pass, const LineLook& look,
                                     const EdgeNeed& edges) const
 {
-    if (from != From::edge_map) return;
+    if (!is_image()) return;
     const ImageKey key = edge_map(look, edges);
     uniforms.set("edge_map", pass.image(key))
-        .set("edge_source", pass.image(source()))
+        .set("edge_source", pass.image(source(), from == From::ids ? 1 : 0))
         .set("profile_pen", pen_uniform(look[LineClass::silhouette]))
-        .set("inner_pen", pen_uniform(look[LineClass::ridge]));
+        .set("inner_pen", pen_uniform(look[inner_class()]));
+    if (from == From::ids) uniforms.set("border_pen", pen_uniform(look[LineClass::border]));
     if (has_halo()) uniforms.set("edge_owner", pass.image(key, 1));
 }
 

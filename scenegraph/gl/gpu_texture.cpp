@@ -84,6 +84,8 @@ FormatConstants format_constants(TextureFormat format)
             return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
         case TextureFormat::rg32ui:
             return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
+        case TextureFormat::rgba32ui:
+            return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
         case TextureFormat::depth24_stencil8:
             return {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4};
         case TextureFormat::depth24:
@@ -94,7 +96,7 @@ FormatConstants format_constants(TextureFormat format)
 
 bool is_whole_number(TextureFormat format)
 {
-    return format == TextureFormat::r32ui || format == TextureFormat::rg32ui;
+    return format == TextureFormat::r32ui || format == TextureFormat::rg32ui || format == TextureFormat::rgba32ui;
 }
 
 int full_level_count(glm::ivec2 size_px)

@@ -17,6 +17,7 @@ enum class TextureFormat : std::uint8_t {
     rgba32f,
     r32ui,
     rg32ui,
+    rgba32ui,
     depth24_stencil8,
     depth24,  ///< Sampled with comparison: a shadow map.
 };

@@ -83,7 +83,9 @@ void LoadedScene::make_images(const Needs& by, int depth, std::map<ImageKey, Nee
         NeededImage image{input.image_passes ? input.image_passes(key) : nullptr, {}, {}};
         if (image.pass == nullptr)
             throw Error({.what = "no image pass \"" + key.pass + "\"",
-                         .expected = "an image pass plugin, normal_depth, object_ids or triangle_ids"});
+                         .expected =
+                             "an image pass plugin, normal_depth, object_ids, triangle_ids, triangle_corners or "
+                             "triangle_stars"});
         image.needs = image.pass->needs();
         image.maps = maps_of(image.needs);
         make_images(image.needs, depth + 1, made);

@@ -87,7 +87,8 @@ void Renderer::load(SceneInput input)
     HW_ASSERT(input.scene != nullptr && input.objects.size() == input.scene->objects.size());
     HW_ASSERT(input.chunks.empty() || input.chunks.size() == input.scene->meshes.size());
     ProgramStore& programs = state_->device.programs;
-    input.image_passes = with_engine_images(std::move(input.image_passes), programs.cache(programs.engine_folder()));
+    input.image_passes =
+        with_engine_images(std::move(input.image_passes), programs.cache(programs.engine_folder()), *input.scene);
     const bool is_software = state_->device.context.device().is_software;
     state_->scene = std::make_unique<LoadedScene>(std::move(input), state_->device.line_indices,
                                                   is_software ? FilterMode::linear_in_level : FilterMode::trilinear);

@@ -12,9 +12,9 @@ namespace {
 
 TextureFormat texture_format(PixelFormat format)
 {
-    static constexpr std::array kFormats{TextureFormat::r8,      TextureFormat::rg8,   TextureFormat::rgba8,
-                                         TextureFormat::rgba16f, TextureFormat::r32f,  TextureFormat::rgba32f,
-                                         TextureFormat::r32ui,   TextureFormat::rg32ui};
+    static constexpr std::array kFormats{TextureFormat::r8,      TextureFormat::rg8,    TextureFormat::rgba8,
+                                         TextureFormat::rgba16f, TextureFormat::r32f,   TextureFormat::rgba32f,
+                                         TextureFormat::r32ui,   TextureFormat::rg32ui, TextureFormat::rgba32ui};
     return kFormats[static_cast<std::size_t>(format)];
 }
 

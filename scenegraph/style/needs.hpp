@@ -28,7 +28,8 @@ struct Streams {
 enum class ShadowNeed : unsigned char { none, main_light };
 
 /// Names one full-screen image: the image pass that makes it and the parameters it is made with. Equal keys are made
-/// once a frame. "normal_depth", "object_ids" and "triangle_ids" are the engine's.
+/// once a frame. "normal_depth", "object_ids", "triangle_ids", "triangle_corners" and "triangle_stars" are the
+/// engine's.
 struct ImageKey {
     std::string pass;
     std::map<std::string, ParamValue> params;

@@ -9,14 +9,14 @@
 
 namespace hw {
 
-/// Shaders sample whole numbers (r32ui, rg32ui) by usampler2D and write them to an output of type uint or uvec2; all
-/// others by sampler2D. On OpenGL ES float formats need EXT_color_buffer_float: without it a pass into them makes
-/// nothing, which is logged once.
-enum class PixelFormat : std::uint8_t { r8, rg8, rgba8, rgba16f, r32f, rgba32f, r32ui, rg32ui };
+/// Shaders sample whole numbers (r32ui, rg32ui, rgba32ui) by usampler2D and write them to an output of type uint, uvec2
+/// or uvec4; all others by sampler2D. On OpenGL ES float formats need EXT_color_buffer_float: without it a pass into
+/// them makes nothing, which is logged once.
+enum class PixelFormat : std::uint8_t { r8, rg8, rgba8, rgba16f, r32f, rgba32f, r32ui, rg32ui, rgba32ui };
 
 inline bool is_whole_number(PixelFormat format)
 {
-    return format == PixelFormat::r32ui || format == PixelFormat::rg32ui;
+    return format >= PixelFormat::r32ui;
 }
 
 /// How texture() samples. r32f, rgba32f and whole numbers are always sampled nearest: devices need not filter them.

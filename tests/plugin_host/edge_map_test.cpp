@@ -51,13 +51,9 @@ void add_quad(MeshData& mesh, const glm::vec3& corner, const glm::vec3& u, const
     for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
 }
 
-/// A floor of 80 m and, 6 m in front of the eye, a sheet of paper that stands 1 m above it.
-Scene floor_and_sheet()
+Scene scene_of(MeshData mesh)
 {
     Scene scene;
-    MeshData mesh;
-    add_quad(mesh, {-40, 0, 5}, {80, 0, 0}, {0, 0, -80});
-    add_quad(mesh, {-1, 1, -6}, {2, 0, 0}, {0, 1.5f, 0});
     mesh.has_own_normals = true;
     scene.meshes.push_back(std::move(mesh));
     scene.materials.emplace_back();
@@ -68,10 +64,10 @@ Scene floor_and_sheet()
 }
 
 /// The picture: R and G are the edge map, 255 where there is no edge.
-Pixels drawn(const EdgeParams& params = {}, float px_scale = 1.0f)
+Pixels drawn(const EdgeParams& params, float px_scale, const Scene& scene,
+             const CameraPlace& camera = {{0, 1.7, 0}, {0, 1.7, -10}, 60})
 {
     const auto context = make_headless_context();
-    const Scene scene = floor_and_sheet();
     Renderer renderer(*context);
     StyleSet set(test_registry(),
                  [&](const std::filesystem::path& f) -> ProgramCache& { return renderer.program_cache(f); });
@@ -84,10 +80,19 @@ Pixels drawn(const EdgeParams& params = {}, float px_scale = 1.0f)
     input.objects[0].style = 0;
     input.image_passes = set.image_passes();
     renderer.load(std::move(input));
-    const View view = camera_view({{0, 1.7, 0}, {0, 1.7, -10}, 60}, kSize, scene.bounds_world, px_scale);
-    renderer.draw(view, {.samples = 1});
+    const FrameStats stats = renderer.draw(camera_view(camera, kSize, scene.bounds_world, px_scale), {.samples = 1});
     EXPECT_TRUE(context->take_errors().empty());
+    EXPECT_EQ(stats.adjacencies_built, 0) << "images need no topology";
     return renderer.read_picture();
+}
+
+/// A floor of 80 m and, 6 m in front of the eye, a sheet of paper that stands 1 m above it.
+Pixels drawn(const EdgeParams& params = {}, float px_scale = 1.0f)
+{
+    MeshData mesh;
+    add_quad(mesh, {-40, 0, 5}, {80, 0, 0}, {0, 0, -80});
+    add_quad(mesh, {-1, 1, -6}, {2, 0, 0}, {0, 1.5f, 0});
+    return drawn(params, px_scale, scene_of(std::move(mesh)));
 }
 
 /// The darkest value of a channel in a row span.
@@ -160,6 +165,106 @@ TEST(edge_map, is_as_wide_as_asked_without_gaps_on_the_nearer_side)
             EXPECT_EQ(ink.below, 0) << width;
             EXPECT_FALSE(ink.has_gap) << width;
         }
+}
+
+TEST(edge_map, of_ids_is_as_wide_as_asked_without_gaps_on_the_nearer_side)
+{
+    for (const std::string storage : {"vertices", "lists"})
+        for (int width = 1; width <= 8; ++width)
+            for (const float px_scale : {1.0f, 2.0f}) {
+                const Span ink = ink_at_border(drawn(
+                    {{"operator", std::string("ids")}, {"storage", storage}, {"width_px", static_cast<double>(width)}},
+                    px_scale));
+                EXPECT_EQ(ink.above, std::min(static_cast<int>(width * px_scale), 17)) << width << " at " << px_scale;
+                EXPECT_EQ(ink.below, 0) << width;
+                EXPECT_FALSE(ink.has_gap) << width;
+            }
+}
+
+TEST(edge_map, of_ids_has_a_halo_too_and_tells_borders_in_all_of_it)
+{
+    for (const double width : {1.0, 3.0}) {
+        const Pixels picture = drawn({{"operator", std::string("ids")}, {"halo_px", 3.0}, {"width_px", width}});
+        EXPECT_EQ(ink_at_border(picture).below, 3);
+        for (int y = kBorder - 12; y < kBorder + 12; ++y)
+            EXPECT_EQ(picture.at(kMiddle, y)[1], picture.at(kMiddle, y)[2]) << "floor and sheet are one object";
+    }
+}
+
+TEST(edge_map, of_ids_2011_marks_both_sides_and_grows_to_both)
+{
+    for (const int width : {1, 2, 4, 8}) {
+        const Span ink =
+            ink_at_border(drawn({{"operator", std::string("ids_2011")}, {"width_px", static_cast<double>(width)}}));
+        EXPECT_EQ(ink.above, std::max(1, width / 2)) << width;
+        EXPECT_EQ(ink.below, std::max(1, width / 2)) << width;
+        EXPECT_FALSE(ink.has_gap);
+    }
+}
+
+namespace {
+
+/// Of the columns from 78 to 178, the share in which some pixel of the rows is an edge: profile or inner.
+double share_of_columns(const Pixels& picture, int from_y, int to_y)
+{
+    int found = 0;
+    for (int x = 78; x < 178; ++x)
+        found +=
+            std::min(darkest(picture, 0, {x, from_y}, {x, to_y}), darkest(picture, 1, {x, from_y}, {x, to_y})) < 200;
+    return found / 100.0;
+}
+
+/// Looks down at the middle of the table y = 0 from 1 m, rows along z: 1 m is 166 px.
+const CameraPlace kFromAbove{{0, 1, 0.0001}, {0, 0, 0}, 60};
+
+}  // namespace
+
+TEST(edge_map, of_ids_outlines_paper_on_a_desk_where_depth_and_normals_know_nothing)
+{
+    MeshData mesh;
+    add_quad(mesh, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4});
+    add_quad(mesh, {-0.4f, 1e-4f, 0.2f}, {0.8f, 0, 0}, {0, 0, -0.4f});
+    const Scene scene = scene_of(std::move(mesh));
+    for (const std::string name : {"ids", "ids_2011", "second"}) {
+        const Pixels picture = drawn({{"operator", name}}, 1.0f, scene, kFromAbove);
+        const double wanted = name == "second" ? 0.0 : 1.0;
+        EXPECT_EQ(share_of_columns(picture, 96 + 31, 96 + 35), wanted) << name << ", near edge";
+        EXPECT_EQ(share_of_columns(picture, 96 - 36, 96 - 31), wanted) << name << ", far edge";
+        EXPECT_EQ(share_of_columns(picture, 96 - 28, 96 + 28), 0.0) << name << ", on the sheet";
+    }
+}
+
+TEST(edge_map, of_ids_shows_the_edge_of_folded_paper_that_lies_on_the_rest)
+{
+    MeshData
+        mesh;  // welded at the fold; the flap has two rows, so that the one at its free edge has no corner of the rest
+    add_quad(mesh, {-0.4f, 0, 0.3f}, {0.8f, 0, 0}, {0, 0, -0.6f});
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const float z : {0.2f, 0.0f})
+        for (const float x : {0.4f, -0.4f}) {
+            mesh.positions.emplace_back(x, 1e-4f, z);
+            mesh.normals.emplace_back(0, 1, 0);
+        }
+    for (const std::uint32_t i :
+         {0u, 1u, first, 0u, first, first + 1, first + 1, first, first + 2, first + 1, first + 2, first + 3})
+        mesh.indices.push_back(i);
+    const Scene scene = scene_of(std::move(mesh));
+    EXPECT_EQ(share_of_columns(drawn({}, 1.0f, scene, kFromAbove), 92, 99), 0.0);
+    for (const std::string name : {"ids", "ids_2011"}) {
+        const Pixels picture = drawn({{"operator", name}}, 1.0f, scene, kFromAbove);
+        EXPECT_EQ(share_of_columns(picture, 92, 99), 1.0) << name;
+    }
+}
+
+TEST(edge_map, of_ids_shows_flaps_that_lie_side_by_side_in_one_plane)
+{
+    MeshData mesh;
+    add_quad(mesh, {-0.4f, 0, 0.3f}, {0.8f, 0, 0}, {0, 0, -0.3f});
+    add_quad(mesh, {-0.5f, 0, 0}, {1.0f, 0, 0}, {0, 0, -0.3f});
+    const Scene scene = scene_of(std::move(mesh));
+    for (const std::string name : {"ids", "ids_2011"})
+        EXPECT_EQ(share_of_columns(drawn({{"operator", name}}, 1.0f, scene, kFromAbove), 93, 98), 1.0) << name;
+    EXPECT_EQ(share_of_columns(drawn({}, 1.0f, scene, kFromAbove), 93, 98), 0.0) << "second";
 }
 
 TEST(edge_map, of_2003_grows_to_both_sides)

@@ -131,17 +131,48 @@ TEST(lines_look, technical_from_the_edge_map_is_two_traversals_and_one_full_scre
     EXPECT_EQ(wide.stats.triangles, 2 * none.stats.triangles + 3);
 }
 
+TEST(lines_look, id_outline_is_two_traversals_and_one_full_screen_pass_and_builds_no_adjacency)
+{
+    const Params thin{{"profile_width_px", 1.0}, {"inner_width_px", 1.0}};
+    const Drawn none = drawn(style_of("id_outline", with(thin, {{"lines_from", std::string("none")}})), kPlain, true);
+    const Drawn lines = drawn(style_of("id_outline", thin), kPlain, true);
+    EXPECT_EQ(lines.stats.images_made, 3) << "ids with planes, the table of corners, and the edge map";
+    EXPECT_EQ(lines.stats.transient_targets, 2) << "one traversal, one full-screen pass";
+    EXPECT_EQ(lines.stats.triangles, 2 * none.stats.triangles + 1);
+    EXPECT_EQ(lines.stats.adjacencies_built, 0);
+    EXPECT_EQ(lines.stats.edge_tables_built, 0);
+    EXPECT_EQ(lines.stats.lines, 0u);
+}
+
+TEST(lines_look, every_style_draws_lines_from_ids)
+{
+    const Params ids{{"lines_from", std::string("ids")}};
+    const Params none{{"lines_from", std::string("none")}};
+    for (const char* plugin : {"photoreal", "pen_and_ink", "hybrid", "technical", "cartoon", "id_outline"}) {
+        const Pixels with_lines = drawn(style_of(plugin, ids)).picture, without = drawn(style_of(plugin, none)).picture;
+        int unlike = 0;
+        for (std::size_t i = 0; i < without.bytes.size(); i += 3)
+            unlike += std::abs(with_lines.bytes[i] - without.bytes[i]) > 40 ? 1 : 0;
+        // The sheet's outline is about 4 x 55 px long.
+        EXPECT_GT(unlike, 150) << plugin;
+        EXPECT_LT(unlike, 900) << plugin;
+    }
+}
+
 TEST(lines_look, the_border_of_an_object_has_no_bright_fringe_between_its_line_and_what_lies_behind)
 {
-    const Params wide = with(kWhite, {{"profile_width_px", 3.0}});
-    const Pixels picture = drawn(style_of("technical", wide)).picture;
-    // The border is askew: every column cuts it at another share of a pixel. From black floor to black line nothing is
-    // white.
-    for (int x = 100; x < 156; ++x) {
-        int y = kSize.y / 2;
-        while (y < kSize.y && picture.at(x, y)[1] >= 128) ++y;
-        ASSERT_LT(y, kSize.y - 10);
-        for (int below = y + 1; below < y + 8; ++below) EXPECT_LT(picture.at(x, below)[1], 60) << x << ", " << below;
+    for (const std::string from : {"edge_map", "ids"}) {
+        const Params wide = with(kWhite, {{"profile_width_px", 3.0}, {"lines_from", from}});
+        const Pixels picture = drawn(style_of("technical", wide)).picture;
+        // The border is askew: every column cuts it at another share of a pixel. From black floor to black line nothing
+        // is white.
+        for (int x = 100; x < 156; ++x) {
+            int y = kSize.y / 2;
+            while (y < kSize.y && picture.at(x, y)[1] >= 128) ++y;
+            ASSERT_LT(y, kSize.y - 10);
+            for (int below = y + 1; below < y + 8; ++below)
+                EXPECT_LT(picture.at(x, below)[1], 60) << from << ' ' << x << ", " << below;
+        }
     }
 }
 

@@ -42,7 +42,7 @@ TEST(corpus, hard_meshes_open_in_every_style)
     HATCHWAY_NEEDS_DATA(!files.empty(), "hard meshes beside the project");
     const hw::test::TemporaryFolder folder;
     for (const fs::path& file : files)
-        for (const char* style : {"*=photoreal", "*=pen_and_ink", "*=hybrid", "*=technical"}) {
+        for (const char* style : {"*=photoreal", "*=pen_and_ink", "*=hybrid", "*=technical", "*=id_outline"}) {
             std::vector<std::string> arguments{"render", file.string(), "--style", style,
                                                "--size", "64x48",       "--out",   folder / "a.png"};
             // The PVS does not know the style: making it once is enough.

@@ -268,7 +268,7 @@ TEST_F(newcomer, check_finds_the_silent_mistakes_of_a_style_once_each)
 
 TEST_F(newcomer, the_styles_that_come_with_it_have_no_silent_mistakes)
 {
-    for (const char* style : {"photoreal", "pen_and_ink", "hybrid", "technical", "cartoon", "halftone"}) {
+    for (const char* style : {"photoreal", "pen_and_ink", "hybrid", "technical", "id_outline", "cartoon", "halftone"}) {
         const ProgramResult result =
             run_program({"check", folder_ / "prism.glb", "--style", "*=" + std::string(style)});
         EXPECT_THAT(result.out, HasSubstr("0 warnings")) << style << result.err;

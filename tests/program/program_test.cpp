@@ -128,7 +128,7 @@ TEST(program, the_manual_lists_every_key_and_parameter)
 TEST(program, renders_every_style_on_a_bare_model)
 {
     const TemporaryFolder folder;
-    for (const char* style : {"photoreal", "pen_and_ink", "hybrid", "technical", "cartoon", "halftone"}) {
+    for (const char* style : {"photoreal", "pen_and_ink", "hybrid", "technical", "id_outline", "cartoon", "halftone"}) {
         const std::string out = folder / (std::string(style) + ".png");
         const ProgramResult result = run_program({"render", kPrism, "--style", std::string("*=") + style, "--size",
                                                   "160x120", "--out", out, "--json", folder / "r.json", "--stats"});

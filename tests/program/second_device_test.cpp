@@ -38,6 +38,7 @@ std::vector<Shown> what_is_shown()
             {"hall_pen_and_ink", hall_in("pen_and_ink")},
             {"hall_hybrid", hall_in("hybrid")},
             {"hall_technical", hall_in("technical")},
+            {"hall_id_outline", hall_in("id_outline")},
             {"hall_plan", from_above},
             {"prism_level", {(kContent / "levels/prism.level.json").string()}},
             {"hall_level", {(kContent / "levels/hall.level.json").string(), "--camera", "entrance"}}};

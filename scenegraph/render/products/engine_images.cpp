@@ -4,6 +4,7 @@
 #include <array>
 
 #include "hatchway/param/param_reader.hpp"
+#include "hatchway/render/products/triangle_tables.hpp"
 
 namespace hw {
 namespace {
@@ -78,35 +79,48 @@ class Ids final : public ImagePass {
  public:
     explicit Ids(bool of_triangles) : of_triangles_(of_triangles) {}
 
+    void visit_params(ParamVisitor& visitor) override
+    {
+        if (of_triangles_)
+            visitor.flag({"planes", "A second output: how the triangle's plane goes on.", ParamChange::rebuild},
+                         with_planes_);
+    }
     Needs needs() const override { return {.streams = {.triangle_id = of_triangles_}}; }
     void prepare(ProgramCache& programs) override
     {
-        program_ = programs.surface(of_triangles_ ? "images/triangle_ids.frag" : "images/object_ids.frag");
+        std::string defines = of_triangles_ ? "#define IDS_OF_TRIANGLES 1\n" : "";
+        if (with_planes_) defines += "#define IDS_WITH_PLANES 1\n";
+        program_ = programs.surface("images/ids.frag", defines);
     }
     Images make(Pass& pass, Items) override
     {
-        return pass.render({.outputs = {{.format = PixelFormat::r32ui}}}, program_, {}, pass.opaque_scene());
+        TargetDesc target{.outputs = {{.format = PixelFormat::r32ui}}};
+        if (with_planes_) target.outputs.push_back({.format = PixelFormat::rgba32f});
+        return pass.render(target, program_, {}, pass.opaque_scene());
     }
 
  private:
     bool of_triangles_;
+    bool with_planes_ = false;
     Program program_;
 };
 
-std::unique_ptr<ImagePass> engine_image(const ImageKey& key)
+std::unique_ptr<ImagePass> engine_image(const ImageKey& key, const Scene& scene)
 {
     if (key.pass == "normal_depth") return std::make_unique<NormalDepth>(key);
     if (key.pass == "object_ids") return std::make_unique<Ids>(false);
     if (key.pass == "triangle_ids") return std::make_unique<Ids>(true);
+    if (key.pass == "triangle_corners") return triangle_corners_image(scene);
+    if (key.pass == "triangle_stars") return triangle_stars_image(scene);
     return nullptr;
 }
 
 }  // namespace
 
-ImagePassSource with_engine_images(ImagePassSource others, ProgramCache& programs)
+ImagePassSource with_engine_images(ImagePassSource others, ProgramCache& programs, const Scene& scene)
 {
-    return [others = std::move(others), &programs](const ImageKey& key) -> std::unique_ptr<ImagePass> {
-        std::unique_ptr<ImagePass> pass = engine_image(key);
+    return [others = std::move(others), &programs, &scene](const ImageKey& key) -> std::unique_ptr<ImagePass> {
+        std::unique_ptr<ImagePass> pass = engine_image(key, scene);
         if (pass == nullptr) return others ? others(key) : nullptr;
         ParamSettings params;
         for (const auto& [name, value] : key.params) params[name] = {value, "/images/" + key.pass + "/" + name};

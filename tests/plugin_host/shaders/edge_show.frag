@@ -5,5 +5,5 @@ uniform sampler2D edges;
 
 void main()
 {
-    hw_output(vec3(texture(edges, gl_FragCoord.xy / hw_size_px).rg, 1.0), 1.0);
+    hw_output(texture(edges, gl_FragCoord.xy / hw_size_px).rgb, 1.0);
 }
