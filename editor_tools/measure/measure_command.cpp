@@ -13,6 +13,7 @@ void add_measure_command(CommandLine app)
     add_measure_edge_map(measure);
     add_measure_frame(measure);
     add_measure_hatch(measure);
+    add_measure_ids(measure);
     add_measure_ink(measure);
     add_measure_lightmap(measure);
     add_measure_lines(measure);

@@ -12,6 +12,7 @@ void add_measure_coherence(CommandLine measure);
 void add_measure_edge_map(CommandLine measure);
 void add_measure_frame(CommandLine measure);
 void add_measure_hatch(CommandLine measure);
+void add_measure_ids(CommandLine measure);
 void add_measure_ink(CommandLine measure);
 void add_measure_lightmap(CommandLine measure);
 void add_measure_lines(CommandLine measure);

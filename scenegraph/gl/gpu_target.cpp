@@ -187,6 +187,20 @@ glm::vec4 GpuTarget::read_pixel(int x, int from_top) const
     return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0f;
 }
 
+std::vector<glm::uvec4> read_texture(std::uint32_t texture, glm::ivec2 size_px, bool is_whole_number)
+{
+    std::vector<glm::uvec4> pixels(static_cast<std::size_t>(size_px.x) * size_px.y);
+    GLuint frame = 0;
+    glGenFramebuffers(1, &frame);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_px.x, size_px.y, is_whole_number ? GL_RGBA_INTEGER : GL_RGBA,
+                 is_whole_number ? GL_UNSIGNED_INT : GL_FLOAT, pixels.data());
+    glDeleteFramebuffers(1, &frame);
+    return pixels;
+}
+
 void bind_window(glm::ivec2 size_px)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

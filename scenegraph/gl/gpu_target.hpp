@@ -68,6 +68,9 @@ class GpuTarget {
     std::vector<std::uint32_t> renderbuffers_;
 };
 
+/// The bits of a texture of floats, or of whole numbers, four a pixel; the first row is at v = 0.
+std::vector<glm::uvec4> read_texture(std::uint32_t texture, glm::ivec2 size_px, bool is_whole_number);
+
 /// Draws go to the window's own framebuffer from now on.
 void bind_window(glm::ivec2 size_px);
 

@@ -59,6 +59,7 @@ struct Renderer::State {
     GpuTarget picture;
     GpuTarget sampled;  ///< Where multisampled frames are drawn.
     std::unique_ptr<LoadedScene> scene;
+    std::map<ImageKey, Images> images;  ///< Of the last frame: good until the next.
 };
 
 Renderer::Renderer(Context& context, ImageReader read_image)
@@ -210,6 +211,7 @@ FrameStats Renderer::draw(const View& camera, const FrameOptions& wanted)
     clock.end_phase(stats.resolve_ms);
 
     device.pool.end_frame();
+    state_->images = results.images;
     state_->count(stats, frame);
     stats.total_ms = clock.total_ms();
     return stats;
@@ -228,6 +230,14 @@ std::vector<ProgramText> Renderer::style_shaders() const
 Pixels Renderer::read_picture()
 {
     return state_->picture.read_rgb();
+}
+
+std::vector<glm::uvec4> Renderer::read_image(const ImageKey& key, std::size_t output)
+{
+    const auto found = state_->images.find(key);
+    const Image image = found == state_->images.end() ? Image() : found->second[output];
+    if (!image.is_valid()) return {};
+    return read_texture(image.id, image.size_px, is_whole_number(image.format));
 }
 
 void Renderer::present(const Overlay& overlay, float px_scale)

@@ -48,6 +48,9 @@ class Renderer {
 
     /// The last picture, RGB, sRGB, top row first.
     Pixels read_picture();
+    /// What the last frame made of an image of floats or whole numbers: the bits of four a pixel, rows from the bottom.
+    /// Empty when it made none of that key.
+    std::vector<glm::uvec4> read_image(const ImageKey& key, std::size_t output = 0);
     /// Shows the last picture, or white paper where there is none, in the context's window, scaled to fit, and over it
     /// words in the window's own pixels: they stay sharp where the picture is drawn smaller, and are no part of it.
     /// `px_scale`: device pixels for a logical one.

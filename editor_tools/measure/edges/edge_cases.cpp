@@ -1,7 +1,10 @@
 #include "measure/edges/edge_cases.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include "hatchway/render/view/line_camera.hpp"
 #include "measure/lines/eye_rays.hpp"
@@ -107,6 +110,16 @@ std::vector<WantedEdge> EdgeCase::wanted(glm::ivec2 size_px) const
         }
     }
     return edges;
+}
+
+EdgeCase cylinder_fan(int sides)
+{
+    MeshData mesh;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2.0 * glm::pi<double>() * i / sides;
+        add_grid(mesh, {0, 0, 0}, {std::cos(angle), 0, std::sin(angle)}, {0, 1, 0});
+    }
+    return {fmt::format("fan of {} sides", sides), scene_of(std::move(mesh)), {{0.5, 2.5, 1.5}, {0, 0.5, 0}, 40.0}, {}};
 }
 
 std::vector<EdgeCase> edge_cases()

@@ -26,4 +26,8 @@ struct EdgeCase {
 /// Paper on a desk, folded paper, a far wall seen flat-on, floors of one and of many triangles from 1 to 5 degrees.
 std::vector<EdgeCase> edge_cases();
 
+/// So many walls, each of two triangles, that stand around one upright edge, seen from above at an angle: the edge's
+/// triangles are neighbours of each other. Wants no lines. Figure 2 of Diktas, Sahiner 2011.
+EdgeCase cylinder_fan(int sides);
+
 }  // namespace hw

@@ -1,6 +1,7 @@
 #include "measure/edges/edge_drawing.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 namespace hw {
 
@@ -10,9 +11,10 @@ EdgeDrawing::EdgeDrawing(Context& context, const PluginRegistry& plugins, const 
           return renderer_.program_cache(folder);
       })
 {
+    style_.prepare(renderer_.program_cache({}));
     SceneInput input;
     input.scene = &scene;
-    input.styles = {{"none", &style_}};
+    input.styles = {{"plain", &style_}};
     input.objects.assign(scene.objects.size(), StyledObject{.style = 0});
     input.chunks = chunks;
     input.image_passes = set_.image_passes();
@@ -26,6 +28,24 @@ Pixels EdgeDrawing::draw(const View& view, const ImageKey& key, double* images_s
     const double first_s = renderer_.draw(view, options).images_ms / 1000.0;
     if (images_s != nullptr) *images_s = std::min(first_s, renderer_.draw(view, options).images_ms / 1000.0);
     return renderer_.read_picture();
+}
+
+IdImage EdgeDrawing::ids(const ImageKey& key, glm::ivec2 size_px)
+{
+    IdImage image{size_px, {}, {}};
+    for (const glm::uvec4& texel : renderer_.read_image(key)) image.ids.push_back(texel.x);
+    for (const glm::uvec4& texel : renderer_.read_image(key, 1)) image.planes.push_back(glm::uintBitsToFloat(texel));
+    return image;
+}
+
+double EdgeDrawing::plain_s(const View& view)
+{
+    style_.is_drawn = true;
+    const auto once = [&] { return renderer_.draw(view, {.samples = 1, .is_timed = true}).surfaces_ms / 1000.0; };
+    const double first_s = once();
+    const double least_s = std::min(first_s, once());
+    style_.is_drawn = false;
+    return least_s;
 }
 
 View turned(const View& view)

@@ -4,6 +4,7 @@
 
 #include "hatchway/plugin_host/style_set.hpp"
 #include "hatchway/render/renderer.hpp"
+#include "measure/edges/id_reference.hpp"
 
 namespace hw {
 
@@ -18,16 +19,28 @@ class EdgeDrawing {
     /// less of two.
     Pixels draw(const View& view, const ImageKey& key, double* images_s = nullptr);
 
+    /// What the frame that was drawn last made of triangle_ids.
+    IdImage ids(const ImageKey& key, glm::ivec2 size_px);
+
+    /// What it takes to draw all faces plainly: the less of two.
+    double plain_s(const View& view);
+
  private:
-    /// Draws nothing into the picture.
-    struct NoStyle final : Style {
+    /// Draws nothing into the picture, or plain faces.
+    struct PlainStyle final : Style {
         Needs needs() const override { return {}; }
-        void prepare(ProgramCache&) override {}
+        void prepare(ProgramCache& programs) override { program = programs.surface("plain.frag"); }
+        void surfaces(Pass& pass, Items items) override
+        {
+            if (is_drawn) pass.surfaces(program, {}, items);
+        }
+        Program program;
+        bool is_drawn = false;
     };
 
     Renderer renderer_;
     StyleSet set_;
-    NoStyle style_;
+    PlainStyle style_;
 };
 
 /// The same view with the picture turned by a right angle, counter-clockwise.
