@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "hatchway/geometry/surface/complex_edges.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
 
 namespace hw {
@@ -111,21 +112,16 @@ class LineCollector {
         const bool has_both = both.normal_a != glm::vec3(0.0f) && both.normal_b != glm::vec3(0.0f);
         return has_both ? both : LineSides{};
     }
-    /// The outermost two, where from somewhere all are culled.
+    /// The outermost two of those that show the edge, where from somewhere all are culled.
     LineSides sides_of_complex(std::uint32_t id) const
     {
         const auto [from, to] = edge_vertices(surface_, id);
-        const glm::vec3 along = surface_.positions[to] - surface_.positions[from];
-        const auto [a, b] = surface_.edges[id].faces();
-        OutermostNormals outermost(along);
+        OutermostNormals outermost(surface_.positions[to] - surface_.positions[from]);
         bool are_culled = true;
-        const auto add = [&](std::uint32_t face) {
+        for (const std::uint32_t face : faces_that_show(surface_, id)) {
             outermost.add(normal_of(face));
             are_culled &= is_culled(face);
-        };
-        add(a);
-        add(b);
-        for (const MoreFace& more : surface_.edges.more_faces_at(id)) add(more.face);
+        }
         const auto sides = outermost.found();
         return are_culled && sides ? LineSides{(*sides)[0], (*sides)[1], true} : LineSides{};
     }

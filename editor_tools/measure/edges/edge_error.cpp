@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "measure/pixels_near.hpp"
+
 namespace hw {
 namespace {
 
@@ -11,19 +13,6 @@ constexpr double kReachPx = 1.0;
 constexpr double kFalseBeyondPx = 2.0;
 constexpr double kCrossStepPx = 0.25;
 constexpr double kAlonePx = 3.0;  // beyond the width
-
-/// Calls `use(x, y, distance)` for the pixels whose middle is within reach of a place.
-template <typename Use>
-void around(const glm::dvec2& at, double reach, glm::ivec2 size, const Use& use)
-{
-    const glm::ivec2 low = glm::max(glm::ivec2(glm::floor(at - reach)), glm::ivec2(0));
-    const glm::ivec2 high = glm::min(glm::ivec2(glm::floor(at + reach)), size - 1);
-    for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) {
-            const double distance = glm::distance(at, glm::dvec2(x + 0.5, y + 0.5));
-            if (distance <= reach) use(x, y, distance);
-        }
-}
 
 double edge_at(const Pixels& map, int x, int y, int channel)
 {
@@ -77,7 +66,7 @@ EdgeJudge::EdgeJudge(const Pixels& objects, std::vector<WantedEdge> wanted)
 
 void EdgeJudge::add_to(Field& field, const glm::dvec2& at_px) const
 {
-    around(at_px, EdgeError::kFarthestPx, size_px_, [&](int x, int y, double distance) {
+    for_each_pixel_near(at_px, EdgeError::kFarthestPx, size_px_, [&](int x, int y, double distance) {
         float& nearest = field[index(x, y)];
         nearest = std::min(nearest, static_cast<float>(distance));
     });
@@ -103,7 +92,7 @@ bool EdgeJudge::judge_line(EdgeError& error, const WantedEdge& edge, const Pixel
     double nearest_px = EdgeError::kFarthestPx;
     bool is_found = false;
     const double reach_px = edge.kind == EdgeKind::profile ? EdgeError::kFarthestPx : kReachPx;
-    around(edge.at_px, reach_px, size_px_, [&](int x, int y, double distance) {
+    for_each_pixel_near(edge.at_px, reach_px, size_px_, [&](int x, int y, double distance) {
         if (!is_covered_[index(x, y)]) return;
         const bool is_profile_mark = edge_at(map, x, y, 1) >= threshold;
         if (is_profile_mark) nearest_px = std::min(nearest_px, distance);

@@ -1,10 +1,10 @@
 #include "measure/lines/line_mask.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+
+#include "measure/pixels_near.hpp"
 
 namespace hw {
 namespace {
@@ -31,12 +31,9 @@ void LineMask::stamp(const glm::dvec2& at, const glm::dvec2& way, const Use& use
         const int index = index_of(way);
         bits = static_cast<std::uint16_t>(1u << index | 1u << (index + 1) % kWays | 1u << (index + kWays - 1) % kWays);
     }
-    const glm::ivec2 low = glm::max(glm::ivec2(glm::floor(at - kReach_px)), glm::ivec2(0));
-    const glm::ivec2 high = glm::min(glm::ivec2(glm::floor(at + kReach_px)), size_ - 1);
-    for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x)
-            if (glm::distance(at, glm::dvec2(x + 0.5, y + 0.5)) <= kReach_px)
-                use(Stamp{static_cast<std::size_t>(y) * size_.x + x, bits});
+    for_each_pixel_near(at, kReach_px, size_, [&](int x, int y, double) {
+        use(Stamp{static_cast<std::size_t>(y) * size_.x + x, bits});
+    });
 }
 
 void LineMask::add(const glm::dvec2& at, const glm::dvec2& way)

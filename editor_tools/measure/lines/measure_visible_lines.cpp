@@ -112,7 +112,8 @@ JsonValue row_json(const Row& row)
     json.set("model", row.model).set("views", row.views);
     json.set("prepare_s", row.prepare_s).set("warm_s", row.warm_s).set("cold_s", row.prepare_s + row.warm_s);
     json.set("candidates_px", v.candidates_px).set("visible_px", v.visible_px).set("found_px", v.found_px);
-    json.set("missed", row.share_of_visible(v.missed_px)).set("thinned", row.share_of_visible(v.thinned_px));
+    json.set("missed", row.share_of_visible(v.missed_px)).set("crossed", row.share_of_visible(v.crossed_px));
+    json.set("thinned", row.share_of_visible(v.thinned_px));
     json.set("extra", row.share_of_found(v.extra_px)).set("noticed", row.share_of_found(v.noticed_px));
     json.set("unsure", row.share_of_found(v.unsure_px)).set("unjudged", row.unjudged());
     json.set("unjudged_px", v.unjudged_px).set("rays", v.rays);
@@ -122,12 +123,14 @@ JsonValue row_json(const Row& row)
 std::string row_text(const Row& row)
 {
     return fmt::format(
-        "{:<24} visible {:>8.0f} px  missed {:6.3f} %  thinned {:6.2f} %  extra {:6.3f} %  noticed {:5.1f} %  unsure "
+        "{:<24} visible {:>8.0f} px  missed {:6.3f} %  crossed {:6.2f} %  thinned {:6.2f} %  extra {:6.3f} %  noticed "
+        "{:5.1f} %  unsure "
         "{:5.1f} %  not judged {:5.1f} %  prepare {:>7.1f} ms  view {:>6.1f} ms\n",
         row.model, row.verdict.visible_px, 100.0 * row.share_of_visible(row.verdict.missed_px),
-        100.0 * row.share_of_visible(row.verdict.thinned_px), 100.0 * row.share_of_found(row.verdict.extra_px),
-        100.0 * row.share_of_found(row.verdict.noticed_px), 100.0 * row.share_of_found(row.verdict.unsure_px),
-        100.0 * row.unjudged(), 1000.0 * row.prepare_s, 1000.0 * row.warm_s);
+        100.0 * row.share_of_visible(row.verdict.crossed_px), 100.0 * row.share_of_visible(row.verdict.thinned_px),
+        100.0 * row.share_of_found(row.verdict.extra_px), 100.0 * row.share_of_found(row.verdict.noticed_px),
+        100.0 * row.share_of_found(row.verdict.unsure_px), 100.0 * row.unjudged(), 1000.0 * row.prepare_s,
+        1000.0 * row.warm_s);
 }
 
 void measure_visible_lines(const VisibleLinesArguments& arguments)

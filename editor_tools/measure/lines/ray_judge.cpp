@@ -64,6 +64,7 @@ void RayVerdict::add(const RayVerdict& other)
     candidates_px += other.candidates_px;
     visible_px += other.visible_px;
     missed_px += other.missed_px;
+    crossed_px += other.crossed_px;
     thinned_px += other.thinned_px;
     found_px += other.found_px;
     extra_px += other.extra_px;
@@ -90,12 +91,14 @@ struct RayJudge::Look {
           rays(judge.triangles_, camera.eye_world),
           is_found(camera.size_px),
           is_drawn(camera.size_px),
+          is_crossed(camera.size_px),
           may_be(camera.size_px),
           is_seen(camera.size_px)
     {
         for (const JudgedLine& line : found) {
-            if (line.is_intersection) continue;
-            walk(line, pinhole, [&](const auto& p, double, const auto& way) { is_found.add(p, way); });
+            walk(line, pinhole, [&](const auto& p, double, const auto& way) {
+                line.is_intersection ? is_crossed.add(p, way) : is_found.add(p, way);
+            });
             is_found.end_line();
         }
         for (const JudgedLine& line : drawn)
@@ -116,8 +119,9 @@ struct RayJudge::Look {
         verdict.visible_px += length;
         is_seen.add(at, along);
         if (!is_found.hold(at, along)) {
-            verdict.missed_px += length;
-            show(at, judged_missed);
+            const bool is_missed = !is_crossed.holds(at, along);
+            (is_missed ? verdict.missed_px : verdict.crossed_px) += length;
+            if (is_missed) show(at, judged_missed);
         } else if (!is_drawn.holds(at, along)) {
             verdict.thinned_px += length;
             show(at, judged_thinned);
@@ -187,7 +191,7 @@ struct RayJudge::Look {
     Pinhole pinhole;
     EyeRays rays;
     FoundLines is_found;
-    LineMask is_drawn, may_be, is_seen;
+    LineMask is_drawn, is_crossed, may_be, is_seen;
     RayVerdict verdict;
 };
 

@@ -22,15 +22,18 @@ struct JudgedLine {
 struct RayVerdict {
     double candidates_px = 0.0;  ///< Of all borders, creases and contours in the picture, hidden ones included.
     double visible_px = 0.0;     ///< Of those, what rays reach and where the surface does not run straight on.
-    double missed_px = 0.0;      ///< Of that, without a found line within the reach.
-    double thinned_px = 0.0;     ///< Of that, found, but without a drawn line within the reach: left out by the style.
-    double found_px = 0.0;       ///< Of the found lines, without those where objects go through each other.
-    double extra_px = 0.0;       ///< Of that, without an edge within the reach that rays reach or nearly reach, and
-                                 ///< across which what is seen is not surely one plane.
-    double noticed_px = 0.0;     ///< Of the found length: on an edge that counts as visible, no other line like it in
-                                 ///< reach. Had the line been left out, this would be missed.
-    double unsure_px = 0.0;      ///< Of the found length: neither extra nor on an edge that counts as visible.
-    double unjudged_px = 0.0;    ///< Where objects go through each other.
+    double missed_px = 0.0;      ///< Of that, without a line within the reach that runs like it.
+    double crossed_px = 0.0;     ///< Of visible_px, not missed: only a line where objects go through each other is in
+                                 ///< reach and runs like it. Where an object ends in a face of another, it is one line.
+    double thinned_px =
+        0.0;                ///< Of visible_px, found, but without a drawn line within the reach: left out by the style.
+    double found_px = 0.0;  ///< Of the found lines, without those where objects go through each other.
+    double extra_px = 0.0;  ///< Of that, without an edge within the reach that rays reach or nearly reach, and
+                            ///< across which what is seen is not surely one plane.
+    double noticed_px = 0.0;   ///< Of the found length: on an edge that counts as visible, no other line like it in
+                               ///< reach. Had the line been left out, this would be missed.
+    double unsure_px = 0.0;    ///< Of the found length: neither extra nor on an edge that counts as visible.
+    double unjudged_px = 0.0;  ///< Where objects go through each other.
     std::uint64_t rays = 0;
 
     void add(const RayVerdict& other);
@@ -44,7 +47,7 @@ enum JudgedPixel : std::uint8_t { judged_paper, judged_found, judged_missed, jud
 /// geometry/surface or geometry/silhouettes is used. Distances are compared to a thousandth of themselves: what lies
 /// between "surely seen" and "surely hidden" is neither missed nor extra. A line stands for an edge within the reach of
 /// 1 px that runs like it (LineMask), so in crowds of lines it sees less than where they stand alone: noticed_px tells
-/// how much. A line where objects go through each other stands for no edge.
+/// how much. A line where objects go through each other is not judged, and an edge that has no other is told apart.
 class RayJudge {
  public:
     /// All objects of a scene wear lines of one crease angle. The scene must outlive this.

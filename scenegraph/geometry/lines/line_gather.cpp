@@ -11,6 +11,7 @@
 #include "hatchway/geometry/exact/predicates.hpp"
 #include "hatchway/geometry/lines/intersections.hpp"
 #include "hatchway/geometry/lines/line_chains.hpp"
+#include "hatchway/geometry/surface/complex_edges.hpp"
 #include "hatchway/geometry/surface/surface_faces.hpp"
 
 namespace hw {
@@ -164,15 +165,15 @@ class ObjectGathering {
         return facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], drawn_.eye_object) < 0;
     }
 
-    /// Whether all faces beside an edge are absent.
+    /// Whether all faces beside an edge are absent, or what is left of them runs straight on across it.
     bool is_behind_the_scenes(std::uint32_t edge) const
     {
-        const EdgeTable& edges = object_.surface->edges;
-        const auto [a, b] = edges[edge].faces();
-        if (!object_.is_culled || !is_absent(a)) return false;
-        if (b != kNoFace && !is_absent(unturned(b))) return false;
-        return std::ranges::all_of(edges.more_faces_at(edge),
-                                   [&](const MoreFace& more) { return is_absent(more.face); });
+        const Surface& surface = *object_.surface;
+        const auto [a, b] = surface.edges[edge].faces();
+        if (!object_.is_culled) return false;
+        if (b != kNoFace && edge < surface.edges.two_faced().begin)
+            return std::ranges::all_of(faces_that_show(surface, edge), [&](auto face) { return is_absent(face); });
+        return is_absent(a) && (b == kNoFace || is_absent(unturned(b)));
     }
 
     void add_line(std::uint32_t edge, LineClass line_class)

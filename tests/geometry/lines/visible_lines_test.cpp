@@ -278,6 +278,31 @@ TEST(visible_lines, an_edge_of_three_faces_is_left_out_only_where_all_of_them_ar
     }
 }
 
+TEST(visible_lines, a_wall_that_runs_straight_on_has_no_line_where_another_is_culled)
+{
+    hw::MeshData mesh;  // a wall that looks at kFront, and one that stands on it
+    mesh.positions = {{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0.5f, 0, 1}};
+    mesh.indices = {0, 1, 2, 0, 3, 1, 0, 4, 1};
+    const auto length_in_the_middle = [&] {
+        const hw::Surface surface = hw::build_surface(mesh);
+        EXPECT_EQ(surface.report.complex_edges, 1u);
+        const std::vector<hw::LineObject> objects{{.surface = &surface, .is_culled = true}};
+        const std::vector<hw::VisibleLine> lines = hw::find_visible_lines(objects, kFront);
+        const double middle_px = 0.5 * kFront.size_px.x;
+        double length_px = 0.0;
+        for (const hw::VisibleLine& line : lines)
+            for (std::size_t i = 0; i + 1 < line.points_px.size(); ++i) {
+                const glm::dvec2 &p = line.points_px[i], &q = line.points_px[i + 1];
+                if (std::abs(p.x - middle_px) < 1.0 && std::abs(q.x - middle_px) < 1.0)
+                    length_px += glm::distance(p, q);
+            }
+        return length_px;
+    };
+    EXPECT_GT(length_in_the_middle(), 50.0);
+    std::swap(mesh.indices[7], mesh.indices[8]);
+    EXPECT_EQ(length_in_the_middle(), 0.0);
+}
+
 namespace {
 
 /// A sheet that looks at kFront, of twelve triangles left of x = -1, and a flap right of it that meets it back to

@@ -86,11 +86,18 @@ TEST(ray_judge, a_line_that_crosses_an_edge_does_not_stand_for_it)
     EXPECT_NEAR(verdict_of(found, found).missed_px, 180.0, 6.0);
 }
 
-TEST(ray_judge, where_objects_go_through_each_other_no_edge_is_found)
+TEST(ray_judge, an_edge_with_a_line_where_objects_go_through_each_other_is_told_apart)
 {
     std::vector<JudgedLine> found = square(90, 270);
     found[0].is_intersection = true;
-    EXPECT_NEAR(verdict_of(found, found).missed_px, 720.0, 8.0);
+    const RayVerdict verdict = verdict_of(found, found);
+    EXPECT_NEAR(verdict.crossed_px, 720.0, 8.0);
+    EXPECT_NEAR(verdict.missed_px, 0.0, 8.0);
+    EXPECT_EQ(verdict.found_px, 0.0);
+    // Across the edge it stands for nothing.
+    found = {{{{90, 90}, {270, 90}, {270, 270}, {90, 270}}}};
+    for (double y = 91.0; y < 270.0; y += 2.0) found.push_back({{{80, y}, {100, y}}, true});
+    EXPECT_NEAR(verdict_of(found, found).missed_px, 180.0, 6.0);
 }
 
 TEST(ray_judge, tells_how_much_of_the_found_lines_would_be_missed)
