@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <system_error>
 
 #include "hatchway/core/error.hpp"
@@ -30,6 +31,40 @@ fs::path without_last_slash(const fs::path& folder)
     return folder.has_filename() ? folder : folder.parent_path();
 }
 
+bool is_inside(const fs::path& path, const fs::path& folder)
+{
+    return std::ranges::mismatch(folder, path).in1 == folder.end();
+}
+
+/// The user's own home and the root hold links that no project brought.
+bool may_be_project(const fs::path& folder)
+{
+    const char* home = std::getenv("HOME");
+    return folder.has_relative_path() && (home == nullptr || folder != one_spelling(home));
+}
+
+/// Throws hw::Error where the way to `folder` goes through a link that lies in the working folder or one of `projects`,
+/// or below: links come with a stranger's archive, and what is written must not end up where they lead. Links above are
+/// the user's own.
+void require_no_brought_link(const fs::path& folder, const std::string& option, std::vector<fs::path> projects)
+{
+    std::error_code failed;
+    projects.push_back(fs::current_path(failed));
+    for (fs::path& project : projects) project = one_spelling(project.empty() ? "." : project);
+    fs::path part;
+    for (const fs::path& name : fs::absolute(folder, failed)) {
+        const fs::path above = one_spelling(part);
+        part /= name;
+        if (!fs::is_symlink(fs::symlink_status(part, failed)) || !may_be_project(above)) continue;
+        const bool is_brought = std::ranges::any_of(
+            projects, [&](const fs::path& project) { return may_be_project(project) && is_inside(above, project); });
+        if (is_brought)
+            throw Error({.what = option + ": goes through a link that the project may have brought",
+                         .file = part.string(),
+                         .expected = "the folder itself: " + fs::read_symlink(part, failed).string()});
+    }
+}
+
 }  // namespace
 
 void require_folder(const fs::path& folder, const std::string& option)
@@ -41,6 +76,7 @@ void require_folder(const fs::path& folder, const std::string& option)
     };
     if (!fs::is_directory(place, failed)) throw refuse("there is no folder ");
     if (::access(place.c_str(), W_OK | X_OK) != 0) throw refuse("nothing can be written into the folder ");
+    require_no_brought_link(place, option, {});
 }
 
 void require_writable(const fs::path& file, const std::string& option)
@@ -85,7 +121,12 @@ void require_distinct(const std::vector<OutputFile>& outputs, const std::vector<
 
 void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<fs::path>& inputs)
 {
-    for (const OutputFile& output : outputs) require_writable(output.file, output.option);
+    std::vector<fs::path> projects;
+    for (const fs::path& input : inputs) projects.push_back(input.parent_path());
+    for (const OutputFile& output : outputs) {
+        require_writable(output.file, output.option);
+        if (!output.file.empty()) require_no_brought_link(output.file.parent_path(), output.option, projects);
+    }
     require_distinct(outputs, inputs);
 }
 

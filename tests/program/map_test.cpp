@@ -101,6 +101,20 @@ TEST(map_program, replaces_a_map_whole_and_no_other_folder)
     EXPECT_THAT(folder.names(), testing::ElementsAre("map"));
 }
 
+TEST(map_program, keeps_pictures_that_are_no_map_s)
+{
+    const TemporaryFolder folder;
+    for (const char* description : {"", "{\"format\": \"another/1\"}"}) {
+        std::filesystem::create_directory(folder.path() / "mine");
+        folder.write("mine/level_0.png", "my picture");
+        if (*description != '\0') folder.write("mine/map.json", description);
+        const ProgramResult refused = run_program({"map", "hatch", "--width", "64", "--out", folder / "mine"});
+        EXPECT_EQ(refused.exit_code, 2) << description;
+        EXPECT_THAT(refused.err, testing::HasSubstr("--out: holds "));
+        EXPECT_EQ(bytes_of(folder / "mine/level_0.png"), "my picture");
+    }
+}
+
 TEST(map_program, a_priority_map_is_square)
 {
     const TemporaryFolder folder;

@@ -247,6 +247,16 @@ TEST_F(newcomer, info_lists_nodes_with_what_the_rules_say_and_which)
     EXPECT_EQ(json::parse(bytes_of(folder_ / "n.json"))["nodes"][0]["style_rule"], "");
 }
 
+TEST_F(newcomer, info_says_photoreal_where_a_bare_model_names_a_style_that_there_is_not)
+{
+    const std::string file = model_saying({{"hatchway", {{"style", "mine"}}}});
+    const ProgramResult result = run_program({"info", file, "--nodes", "--json", folder_ / "n.json"});
+    EXPECT_THAT(result.err, HasSubstr("the style \"mine\", which there is not"));
+    const json node = json::parse(bytes_of(folder_ / "n.json"))["nodes"][0];
+    EXPECT_EQ(node["style"], "photoreal");
+    EXPECT_EQ(node["style_rule"], "");
+}
+
 TEST_F(newcomer, check_finds_the_silent_mistakes_of_a_style_once_each)
 {
     install("silent_mistakes");

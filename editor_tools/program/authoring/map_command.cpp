@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/core/files/files.hpp"
 #include "hatchway/core/files/folder_draft.hpp"
 #include "hatchway/core/limits.hpp"
 #include "hatchway/core/plain_text.hpp"
@@ -24,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMapFile = "map.json";
+constexpr const char* kMapFormat = "hatchway-map/1";
 constexpr std::size_t kMostLevels = 13;                   // of 4096 texels
 constexpr std::uint64_t kMostDrawingPixels = 36'000'000;  // a sheet of A4 at 600 dots an inch
 
@@ -49,6 +51,16 @@ bool is_map_file(const fs::path& name)
     return text == kMapFile || (text.starts_with("level_") && text.ends_with(".png"));
 }
 
+/// Whether it is a map's description: a picture beside another map.json is somebody's own.
+bool is_description(const fs::path& file)
+{
+    constexpr std::uint64_t kMostBytes = 1 << 20;
+    std::error_code failed;
+    if (!fs::is_regular_file(fs::symlink_status(file, failed)) || fs::file_size(file, failed) > kMostBytes)
+        return false;
+    return read_text_file(file, kMostBytes).find(kMapFormat) != std::string::npos;
+}
+
 /// The folder is replaced whole, so it may hold nothing but a map and its preview.
 void require_replaceable(const MapArguments& arguments)
 {
@@ -61,11 +73,12 @@ void require_replaceable(const MapArguments& arguments)
     if (name == "." || name == "..") throw refuse("is no name");
     std::error_code missing;
     if (fs::is_symlink(fs::symlink_status(arguments.folder, missing))) return;
+    const bool is_map = is_description(arguments.folder / kMapFile);
     for (const fs::directory_entry& entry : fs::directory_iterator(arguments.folder, missing)) {
         const bool is_preview = is_in_folder(arguments.preview, arguments.folder) &&
                                 entry.path().filename() == arguments.preview.filename();
         const bool is_file = !fs::is_directory(entry.symlink_status(missing));
-        if (!is_file || !(is_preview || is_map_file(entry.path().filename())))
+        if (!is_file || !(is_preview || (is_map && is_map_file(entry.path().filename()))))
             throw refuse("holds " + entry.path().filename().string());
     }
 }
@@ -90,7 +103,7 @@ void write_map(const MapLevels& map, const MapArguments& arguments)
 {
     const Pixels preview = arguments.preview.empty() ? Pixels() : map_preview(map);
     JsonValue json = JsonValue::object();
-    json.set("format", "hatchway-map/1").set("kind", std::string(facts_of(map.kind).name));
+    json.set("format", kMapFormat).set("kind", std::string(facts_of(map.kind).name));
     json.set("levels", static_cast<int>(map.levels.size())).set("size_m", map.size_m);
     if (map.kind == MapKind::hatch) json.set("spacing_texels", map.spacing_texels);
     const bool is_preview_inside = is_in_folder(arguments.preview, arguments.folder);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "hatchway/core/log.hpp"
 #include "hatchway/core/plain_text.hpp"
 #include "hatchway/drawing/scene_surfaces.hpp"
 #include "hatchway/io/json/out.hpp"
 #include "hatchway/stage/compiled_world.hpp"
+#include "hatchway/stage/level_styles.hpp"
 #include "hatchway/stage/level_world.hpp"
 #include "program/arguments.hpp"
 #include "program/commands.hpp"
@@ -157,6 +159,8 @@ void info(const InfoArguments& arguments)
     if (!arguments.cache.empty()) require_writable_folder(arguments.cache, "--cache");
     const CompiledCache cache{arguments.cache};
     const auto world = open_world(level);
+    forget_unknown_styles(level, PluginRegistry(), world->scene);
+    for (const std::string& doubt : world->scene.doubts) log_warning(doubt);
     const CompiledLevel compiled = compiled_level(level, *world, cache);
     require_unread(outputs);
     const MeshTotals totals = totals_of(world->scene);

@@ -85,6 +85,30 @@ TEST_F(links, in_a_folder_of_frames_are_replaced_and_a_link_to_a_folder_is_refus
     EXPECT_TRUE(fs::is_empty(folder_ / "outside"));
 }
 
+TEST_F(links, that_a_project_brought_are_not_written_through)
+{
+    const std::string link = strange("to_outside");
+    fs::create_directory(folder_ / "outside/deeper");
+    fs::create_directory_symlink("../outside", link);
+    const std::vector<std::vector<std::string>> commands{
+        {"render", strange("prism.glb"), "--size", "32x32", "--out", link + "/p.png"},
+        {"render", strange("prism.glb"), "--size", "32x32", "--out", link + "/deeper/p.png"},
+        {"render", strange("prism.glb"), "--size", "32x32", "--out", strange("p.png"), "--json", link + "/p.json"},
+        {"lines", strange("prism.glb"), "--out", link + "/p.svg"},
+        {"info", strange("prism.glb"), "--json", link + "/p.json"}};
+    for (const std::vector<std::string>& command : commands) {
+        const ProgramResult refused = run_program(command);
+        EXPECT_EQ(refused.exit_code, 2) << command[0];
+        EXPECT_THAT(refused.err, HasSubstr("goes through a link that the project may have brought"));
+    }
+    fs::remove(folder_ / "outside/deeper");
+    EXPECT_TRUE(fs::is_empty(folder_ / "outside"));
+    // A link above the project is the user's own.
+    fs::create_directory_symlink(strange("."), folder_ / "mine");
+    EXPECT_EQ(
+        run_program({"lines", (folder_ / "mine") + "/prism.glb", "--out", (folder_ / "mine") + "/p.svg"}).exit_code, 0);
+}
+
 TEST_F(links, in_place_of_a_map_are_replaced)
 {
     folder_.write("outside/map.json", "mine");
