@@ -134,7 +134,8 @@ TEST(typed_figures, of_no_document_were_measured)
         // what a walk holds, limits of layers
         {"docs/method/devices.md", {"1,000", "4,000", "30 frames"}},
         // a proof, a setting, a window of the judge, limits of picture_and_drawing_test
-        {"docs/method/drawn_lines.md", {"0.5", "0.5", "0.5", "0.5", "0.75", "0.75", "3.5", "99.5 %", "99.1 %"}},
+        {"docs/method/drawn_lines.md",
+         {"0.5", "0.5", "0.5", "0.5", "0.75", "0.75", "3.5", "99.5 %", "99.1 %", "2 %", "12 %"}},
         // an example, and the largest step of that definition by its formula
         {"docs/method/hatching.md", {"1.5", "6 %", "95 %"}},
         // a limit of the atlas, samples of the reference
@@ -145,8 +146,8 @@ TEST(typed_figures, of_no_document_were_measured)
         {"docs/method/strangers_files.md", {"2 GB", "four bytes", "64 KiB", "600 s"}},
         // a width of the slits
         {"docs/method/visibility.md", {"0.001"}},
-        // numbers in a file, a tolerance, a window of the judge
-        {"docs/method/visible_lines.md", {"1e-8", "1.2e-7", "1e-5", "1.5"}},
+        // numbers in a file, a tolerance
+        {"docs/method/visible_lines.md", {"1e-8", "1.2e-7", "1e-5"}},
         // ticks, the longest frame of the random walks, the judge's tolerance
         {"docs/method/walking.md", {"120 s", "100 ms", "0.1 mm"}},
         // sections of a paper
@@ -173,7 +174,7 @@ TEST(typed_figures, where_pages_tell_what_was_measured_are_all_known_to_be_set)
     // them.
     const std::map<std::string, std::string> set{
         {"devices.md", "320 200 16 255 thousand 5 25 1 thirty half thirty"},
-        {"drawn_lines.md", "4 3.5 1000 ten 99.5 99.1 half"},
+        {"drawn_lines.md", "4 3.5 1000 ten 99.5 99.1 half 2 12"},
         {"hatching.md",
          "two a third two two 3 1 half half two 1.5 two 6 200 1 3 11 90 200 700 45 80 85 85 two 48 two 17 17 95 1280 "
          "720 1 4 0 100 1 four 0 five five five half 1 4"},
@@ -181,7 +182,7 @@ TEST(typed_figures, where_pages_tell_what_was_measured_are_all_known_to_be_set)
         {"silhouettes.md", "three two two two two three two 64 16 10,000 90 100 100"},
         {"strangers_files.md", "four 64 600 30"},
         {"visibility.md", "64 half half 64 1 0.001 two half"},
-        {"visible_lines.md", "1400 900 two two two 1.5 two"},
+        {"visible_lines.md", "1400 900 two 15 30 two two"},
         {"walking.md", "1 100 eight half 16 0.1"},
     };
     for (const fs::path& page : pages_in(kMethod)) {
