@@ -49,7 +49,10 @@ Crack crack_between(HwTriangle t, HwTriangle other, vec4 a, vec4 b, ivec2 way)
 
 Crack crack_to(HwTriangle t, ivec2 way)
 {
-    HwTriangle other = hw_triangle(id_at(way));
+    highp uint id = id_at(way);
+    if (id == t.id) return Crack(0.0, false, false);
+    if (id == 0u || t.id == 0u) return Crack(t.id == 0u ? -1.0 : 1.0, false, false);
+    HwTriangle other = hw_triangle(id);
 #ifdef IDS_OF_2011
     return Crack(hw_is_adjacent(t, other) ? 0.0 : 1.0, false, false);
 #else
@@ -59,29 +62,21 @@ Crack crack_to(HwTriangle t, ivec2 way)
 
 void main()
 {
-    ivec2 ways[4] = ivec2[4](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
-    ivec2 asked[4];  // where another triangle is: few pixels have any
-    int count = 0;
+    const ivec2 kRight = ivec2(1, 0), kUp = ivec2(0, 1);
     highp uint id = id_at(ivec2(0));
+    bool is_alone = id_at(-kRight) == id && id_at(kRight) == id && id_at(-kUp) == id && id_at(kUp) == id;
     bool ends = false, is_outline = false, meets = false;
     vec2 steps = vec2(0.0);
-    for (int i = 0; i < 4; ++i) {
-        highp uint other = id_at(ways[i]);
-        if (other == id) continue;
-        if (id == 0u || other == 0u) {
-            is_outline = ends = ends || id != 0u;
-            steps += (id == 0u ? -1.0 : 1.0) * vec2(max(ways[i], 0));
-        } else {
-            asked[count++] = ways[i];
+    if (!is_alone) {
+        HwTriangle t = hw_triangle(max(id, 1u));
+        t.id = id;
+        Crack cracks[4] = Crack[4](crack_to(t, -kRight), crack_to(t, kRight), crack_to(t, -kUp), crack_to(t, kUp));
+        for (int i = 0; i < 4; ++i) {
+            ends = ends || cracks[i].step > 0.0;
+            is_outline = is_outline || (cracks[i].step > 0.0 && !cracks[i].is_border);
+            meets = meets || cracks[i].meets;
         }
-    }
-    HwTriangle t = hw_triangle(max(id, 1u));
-    for (int i = 0; i < count; ++i) {
-        Crack crack = crack_to(t, asked[i]);
-        ends = ends || crack.step > 0.0;
-        is_outline = is_outline || (crack.step > 0.0 && !crack.is_border);
-        meets = meets || crack.meets;
-        steps += crack.step * vec2(max(asked[i], 0));
+        steps = vec2(cracks[1].step, cracks[3].step);
     }
 #ifdef IDS_OF_2011
     steps = vec2(0.0);  // both sides are edges
