@@ -188,6 +188,9 @@ TEST(edge_map, of_ids_has_a_halo_too_and_tells_borders_in_all_of_it)
         EXPECT_EQ(ink_at_border(picture).below, 3);
         for (int y = kBorder - 12; y < kBorder + 12; ++y)
             EXPECT_EQ(picture.at(kMiddle, y)[1], picture.at(kMiddle, y)[2]) << "floor and sheet are one object";
+        // The sheet ends 0.8 m above the eye, before nothing: 22 rows above the middle.
+        EXPECT_LT(darkest(picture, 1, {kMiddle, 72}, {kMiddle, 76}), 128);
+        EXPECT_EQ(darkest(picture, 2, {kMiddle, 60}, {kMiddle, 80}), 255) << "an outline is no border";
     }
 }
 
