@@ -88,8 +88,9 @@ float metres_per_uv(const MeshData& mesh)
 std::vector<glm::vec3> hatch_stream(const HatchCoordinates& hatch)
 {
     std::vector<glm::vec3> stream;
-    for (std::size_t i = 0; i < hatch.uv.size(); ++i)
-        stream.emplace_back(hatch.uv[i], static_cast<float>(hatch.vertex[i]));
+    stream.reserve(hatch.vertex.size());
+    for (std::size_t i = 0; i < hatch.vertex.size(); ++i)
+        stream.emplace_back(hatch.uv.empty() ? glm::vec2(0.0f) : hatch.uv[i], static_cast<float>(hatch.vertex[i]));
     return stream;
 }
 
@@ -99,8 +100,6 @@ HatchCoordinates no_coordinates(const MeshData& mesh)
     HatchCoordinates none;
     none.vertex.resize(mesh.positions.size());
     std::iota(none.vertex.begin(), none.vertex.end(), 0u);
-    none.uv.resize(mesh.positions.size());
-    none.direction.resize(mesh.positions.size());
     none.indices = mesh.indices;
     return none;
 }
@@ -112,8 +111,8 @@ HatchCoordinates loosened(const HatchCoordinates& hatch)
     for (const std::uint32_t vertex : hatch.indices) {
         loose.indices.push_back(static_cast<std::uint32_t>(loose.indices.size()));
         loose.vertex.push_back(hatch.vertex[vertex]);
-        loose.uv.push_back(hatch.uv[vertex]);
-        loose.direction.push_back(hatch.direction[vertex]);
+        if (!hatch.uv.empty()) loose.uv.push_back(hatch.uv[vertex]);
+        if (!hatch.direction.empty()) loose.direction.push_back(hatch.direction[vertex]);
     }
     return loose;
 }
@@ -158,7 +157,7 @@ GpuMesh upload_mesh(const MeshData& mesh, const HatchCoordinates* hatch = nullpt
     if (hatch != nullptr) {
         coordinates = hatch_stream(*hatch);
         vertices.add(VertexInput::hatch, &coordinates[0].x, 3);
-        vertices.add(VertexInput::direction, &hatch->direction[0].x, 3);
+        if (!hatch->direction.empty()) vertices.add(VertexInput::direction, &hatch->direction[0].x, 3);
     }
     gpu.vertices = GpuBuffer(vertices.floats());
     gpu.indices = GpuBuffer(mesh.indices);
