@@ -8,7 +8,7 @@ class IdOutline final : public hw::Style {
  public:
     void visit_params(hw::ParamVisitor& visitor) override
     {
-        visitor.colour({"paper_colour", "Of faces."}, paper_);
+        visitor.colour({"paper_colour", "Colour of faces."}, paper_);
         visitor.real({"paper_from_material", "Share of the material's colour in it."}, from_material_, 0.0f, 1.0f);
         pens_.visit_params(visitor);
         lines_.visit_params(visitor);

@@ -7,6 +7,8 @@
 #include <random>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/world/visibility/rows/pvs.hpp"
+#include "hatchway/world/visibility/tree/portal_polygon.hpp"
 #include "tests/world/scene_builder.hpp"
 
 namespace hw {
@@ -309,4 +311,32 @@ TEST(visibility, places_are_told_where_most_of_them_are)
 }
 
 }  // namespace
+TEST(pvs, a_polygon_whose_sides_a_plane_cuts_many_times_stays_within_its_corners)
+{
+    Winding saw;
+    saw.count = 60;
+    for (int i = 0; i < saw.count; ++i)
+        saw.points[static_cast<std::size_t>(i)] = {0.01 * i, i % 2 == 0 ? 1e-3 : -1e-3, 0.0};
+    const Winding before = saw;
+    EXPECT_TRUE(clip(saw, {{0, 1, 0}, 0.0}, {}));
+    ASSERT_EQ(saw.count, before.count) << "kept whole";
+    for (int i = 0; i < saw.count; ++i) EXPECT_EQ(saw[i], before[i]);
+}
+
+TEST(pvs, a_way_of_a_thousand_openings_is_followed_to_its_end)
+{
+    constexpr int kRooms = 1200;  // sights for sure are looked for through 400
+    PortalGraph graph{.leaf_count = kRooms};
+    for (int room = 0; room + 1 < kRooms; ++room) {
+        const double x = 0.01 * room;
+        const std::vector<glm::dvec3> opening{{x, 0, 0}, {x, 1, 0}, {x, 1, 1}, {x, 0, 1}};
+        graph.portals.push_back({room, room + 1, {1, 0, 0}, -x, opening});
+        graph.portals.push_back({room + 1, room, {-1, 0, 0}, x, opening});
+    }
+    const PvsResult result = build_pvs(graph, {.effort = PvsEffort::exact});
+    EXPECT_TRUE(result.coarse_portals.empty());
+    EXPECT_TRUE(result.rows.sees(0, kRooms - 1));
+    EXPECT_TRUE(result.rows.sees(kRooms - 1, 0));
+}
+
 }  // namespace hw

@@ -19,6 +19,16 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a portal's radius: by which its centre may lie off its place
 
+/// The corners counter-clockwise about the normal, as separating planes need them.
+std::vector<glm::dvec3> oriented(std::vector<glm::dvec3> corners, const glm::dvec3& normal)
+{
+    glm::dvec3 area(0.0);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        area += glm::cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+    if (glm::dot(area, normal) < 0.0) std::reverse(corners.begin(), corners.end());
+    return corners;
+}
+
 FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
 {
     FlowGraph flow;
@@ -32,7 +42,7 @@ FlowGraph prepare(const PortalGraph& graph, const PvsOptions& options)
         FlowPortal& made = flow.portals.emplace_back();
         made.to_leaf = portal.to_leaf;
         made.plane = {portal.normal, portal.offset};
-        made.winding = Winding(portal.winding);
+        made.winding = Winding(oriented(portal.winding, portal.normal));
         for (int i = 0; i < made.winding.count; ++i) made.centre += made.winding[i] / double(made.winding.count);
         for (int i = 0; i < made.winding.count; ++i)
             made.radius = std::max(made.radius, 1.000001 * glm::distance(made.centre, made.winding[i]));
@@ -112,6 +122,8 @@ struct Step {
     LeafBits may_see;
     std::vector<FlowPlane> gate;  ///< Separating planes of source and pass; what last hid a portal comes first.
     bool has_gate = false;        ///< They have been made.
+    std::size_t entered = 0;      ///< Portal that led here; of no meaning in the first step.
+    std::size_t ways_done = 0;    ///< Portals out of the leaf that were tried.
 };
 
 /// How a portal lies to the source portal, found out when it is first met.
@@ -148,7 +160,7 @@ class Flow {
         first.source = source_.winding;
         first.leaf = source_.to_leaf;
         first.may_see = source_.sees;
-        visit(0);
+        visit();
     }
     LeafBits take() { return std::move(sees_); }
     std::uint64_t cost() const { return cost_; }
@@ -262,32 +274,48 @@ class Flow {
         return depth >= limits_.depth || (limits_.steps != 0 && cost_ >= limits_.steps);
     }
 
-    void visit(std::size_t depth)
+    /// The step through a portal, if anything new may be behind it.
+    bool enters(Step& here, std::size_t depth, std::size_t index)
     {
-        Step& here = step(depth);
-        for (const int number : graph_.portals_out_of[static_cast<std::size_t>(here.leaf)]) {
-            const std::size_t index = static_cast<std::size_t>(number);
-            const FlowPortal& portal = graph_.portals[index];
-            // A line meets a plane once. It may meet a leaf again: merged clusters are not convex.
-            if (!has_bit(here.may_see, portal.to_leaf) || is_on_way_[index]) continue;
-            const Relation relation = relation_to(index);
-            if (relation == Relation::never) continue;
-            Step& next = step(depth + 1);
-            ++cost_;
-            if (!narrow(here, portal, next) || !clip_through(here, portal, relation, next)) continue;
-            set_bit(sees_, portal.to_leaf);
-            if (is_past_limits(depth)) {
-                is_coarse_ = true;
-                for (std::size_t word = 0; word < words_; ++word) sees_[word] |= next.may_see[word];
-                continue;
+        const FlowPortal& portal = graph_.portals[index];
+        // A line meets a plane once. It may meet a leaf again: merged clusters are not convex.
+        if (!has_bit(here.may_see, portal.to_leaf) || is_on_way_[index]) return false;
+        const Relation relation = relation_to(index);
+        if (relation == Relation::never) return false;
+        Step& next = step(depth + 1);
+        ++cost_;
+        if (!narrow(here, portal, next) || !clip_through(here, portal, relation, next)) return false;
+        set_bit(sees_, portal.to_leaf);
+        if (is_past_limits(depth)) {
+            is_coarse_ = true;
+            for (std::size_t word = 0; word < words_; ++word) sees_[word] |= next.may_see[word];
+            return false;
+        }
+        next.pass_plane = portal.plane;
+        next.has_pass = true;
+        next.has_gate = false;
+        next.leaf = portal.to_leaf;
+        next.entered = index;
+        next.ways_done = 0;
+        return true;
+    }
+
+    /// Depth first, without recursion: ways may be thousands of portals long.
+    void visit()
+    {
+        for (std::size_t depth = 0;;) {
+            Step& here = *steps_[depth];
+            const std::vector<int>& ways = graph_.portals_out_of[static_cast<std::size_t>(here.leaf)];
+            if (here.ways_done < ways.size()) {
+                const auto index = static_cast<std::size_t>(ways[here.ways_done++]);
+                if (!enters(here, depth, index)) continue;
+                is_on_way_[index] = 1;
+                ++depth;
+            } else {
+                if (depth == 0) return;
+                is_on_way_[here.entered] = 0;
+                --depth;
             }
-            next.pass_plane = portal.plane;
-            next.has_pass = true;
-            next.has_gate = false;
-            next.leaf = portal.to_leaf;
-            is_on_way_[index] = 1;
-            visit(depth + 1);
-            is_on_way_[index] = 0;
         }
     }
 

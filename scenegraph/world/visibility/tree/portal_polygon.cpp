@@ -118,6 +118,8 @@ bool clip(Winding& winding, const FlowPlane& plane, const ClipTolerance& toleran
         const int next = i + 1 == winding.count ? 0 : i + 1;
         const double a = distances[static_cast<std::size_t>(i)];
         const double b = distances[static_cast<std::size_t>(next)];
+        // Of slivers whose corners are off a convex place by roundings a plane may cut more than two sides.
+        if (kept + 2 > static_cast<std::size_t>(Winding::kMostCorners)) return true;
         if (a >= 0.0) result.points[kept++] = winding[i];
         if ((a < 0.0) != (b < 0.0)) result.points[kept++] = winding[i] + (winding[next] - winding[i]) * (a / (a - b));
     }
