@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "hatchway/world/mesh_parts.hpp"
+#include "hatchway/world/mesh_pieces.hpp"
 
 namespace hw {
 namespace {
@@ -24,14 +24,14 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const Scene& scene)
 {
-    std::vector<std::vector<MeshPart>> parts;
-    for (const MeshData& mesh : scene.meshes) parts.push_back(mesh_parts(mesh));
+    std::vector<std::vector<MeshPiece>> parts;
+    for (const MeshData& mesh : scene.meshes) parts.push_back(mesh_pieces(mesh));
     std::vector<Piece> pieces;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         const Object& object = scene.objects[id];
         if (object.bounds_world.is_empty()) continue;
-        const std::vector<MeshPart>& own = parts[object.mesh];
-        for (const MeshPart& part : own)
+        const std::vector<MeshPiece>& own = parts[object.mesh];
+        for (const MeshPiece& part : own)
             pieces.push_back(
                 {own.size() == 1 ? object.bounds_world : transformed(part.bounds, scene.world_from_object(id)), id,
                  static_cast<double>(part.triangles)});

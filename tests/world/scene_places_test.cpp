@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "hatchway/world/mesh_parts.hpp"
+#include "hatchway/world/mesh_pieces.hpp"
 #include "tests/world/scene_builder.hpp"
 
 namespace {
@@ -117,7 +117,7 @@ TEST_F(scene_places, look_into_a_mesh_that_has_a_stray_part)
     const ScenePlaces found = hw::find_places(one.scene());
     EXPECT_TRUE(is_same(found.main_world, house_));
     EXPECT_THAT(found.strays, ElementsAre(0u));
-    EXPECT_THAT(hw::mesh_parts(house), SizeIs(1));
+    EXPECT_THAT(hw::mesh_pieces(house), SizeIs(1));
 }
 
 TEST_F(scene_places, a_ground_without_end_is_no_stray_and_not_what_a_picture_of_the_whole_is_made_for)
@@ -131,7 +131,7 @@ TEST_F(scene_places, a_ground_without_end_is_no_stray_and_not_what_a_picture_of_
 TEST_F(scene_places, a_ground_without_end_in_the_mesh_of_what_stands_on_it_is_a_part_of_its_own)
 {
     ground(1e5);
-    const std::vector<hw::MeshPart> parts = hw::mesh_parts(joined());
+    const std::vector<hw::MeshPiece> parts = hw::mesh_pieces(joined());
     ASSERT_THAT(parts, SizeIs(2));
     EXPECT_TRUE(is_same(parts[0].bounds, house_));
     EXPECT_EQ(parts[1].triangles, 2u);

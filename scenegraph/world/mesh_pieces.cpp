@@ -1,4 +1,4 @@
-#include "hatchway/world/mesh_parts.hpp"
+#include "hatchway/world/mesh_pieces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ std::array<std::size_t, kBins> runs_along(const MeshData& mesh, const Triangles&
 }
 
 /// Cuts triangles at wide gaps between them, along one axis after the other, until there is none.
-void cut_at_gaps(const MeshData& mesh, const Triangles& triangles, int depth, std::vector<MeshPart>& parts)
+void cut_at_gaps(const MeshData& mesh, const Triangles& triangles, int depth, std::vector<MeshPiece>& parts)
 {
     const Box bounds = around(mesh, triangles);
     for (int axis = 0; axis < 3 && depth < kMostDepth; ++axis) {
@@ -95,14 +95,14 @@ std::vector<Triangles> by_size(const MeshData& mesh)
 
 }  // namespace
 
-std::vector<MeshPart> mesh_parts(const MeshData& mesh)
+std::vector<MeshPiece> mesh_pieces(const MeshData& mesh)
 {
-    MeshPart whole{{}, mesh.triangle_count()};
+    MeshPiece whole{{}, mesh.triangle_count()};
     for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) whole.bounds.add(box_of(mesh, i));
     if (whole.bounds.is_empty()) return {};
-    std::vector<MeshPart> parts;
+    std::vector<MeshPiece> parts;
     for (const Triangles& group : by_size(mesh)) cut_at_gaps(mesh, group, 0, parts);
-    const auto is_small = [&](const MeshPart& part) { return kApart * width(part.bounds) < width(whole.bounds); };
+    const auto is_small = [&](const MeshPiece& part) { return kApart * width(part.bounds) < width(whole.bounds); };
     return std::ranges::any_of(parts, is_small) ? parts : std::vector{whole};
 }
 
