@@ -266,6 +266,16 @@ std::string text_of(const fs::path& file)
 }
 
 /// Sources that nobody includes by name: a program's main(), a command that a list names, what makes a plugin.
+/// Types that a header defines in its outermost namespace: they begin a line.
+std::vector<std::string> types_of(const std::string& text)
+{
+    static const std::regex kType(R"((?:^|\n)(?:struct|class|enum class) (\w+)[^;\n]*\{)");
+    std::vector<std::string> types;
+    for (std::sregex_iterator found(text.begin(), text.end(), kType), end; found != end; ++found)
+        types.push_back((*found)[1]);
+    return types;
+}
+
 bool is_entry_point(const fs::path& source)
 {
     if (source.filename() == "main.cpp") return true;
@@ -332,6 +342,29 @@ TEST(layers, no_folder_holds_more_than_sixteen_concepts)
 TEST(layers, every_source_has_the_header_of_its_name)
 {
     for (const char* top : {"scenegraph", "editor_tools", "npr_plugins"}) EXPECT_EQ(sources_without_header(top), "");
+}
+
+TEST(layers, types_are_found_in_the_text_of_a_header)
+{
+    EXPECT_EQ(
+        types_of("struct A {\n    struct Inner {};\n};\nstruct B;\nclass C final : public A {\nenum class D : int {"),
+        (std::vector<std::string>{"A", "C", "D"}));
+}
+
+// Two types of one name in one namespace are one to the linker, whichever it takes, without a word.
+TEST(layers, no_two_headers_define_a_type_of_the_same_name)
+{
+    std::map<std::string, fs::path> homes;
+    for (const char* top : {"scenegraph", "editor_tools"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
+            if (entry.path().extension() != ".hpp") continue;
+            for (const std::string& type : types_of(text_of(entry.path()))) {
+                const auto [home, is_new] = homes.emplace(type, entry.path());
+                EXPECT_TRUE(is_new) << type << ": " << home->second << " and " << entry.path();
+            }
+        }
+    }
+    EXPECT_GT(homes.size(), 200u);
 }
 
 TEST(layers, only_commands_that_a_list_names_and_plugins_are_entry_points)
