@@ -5,6 +5,8 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "hatchway/geometry/surface/surface_faces.hpp"
+
 namespace hw {
 namespace {
 
@@ -49,6 +51,32 @@ std::vector<ObjectId> objects_that_may_meet(const Scene& scene, std::span<const 
     return ids;
 }
 
+/// Where a face of another object looks, in the owner's space: on its front a point gives a positive number there, too.
+glm::vec3 front_normal(const LineObject& other, std::uint32_t face, const LineObject& owner)
+{
+    const std::uint32_t plane = plane_face(*other.surface, face);
+    if (plane == kNoFace) return glm::vec3(0.0f);
+    const auto& [a, b, c] = other.surface->faces[plane];
+    const std::vector<glm::vec3>& places = other.surface->positions;
+    const glm::dvec3 p(places[a]);
+    const glm::dvec3 area = glm::cross(glm::dvec3(places[b]) - p, glm::dvec3(places[c]) - p);
+    const glm::dvec3 normal =
+        area * glm::dmat3(glm::inverse(other.world_from_object)) * glm::dmat3(owner.world_from_object);
+    const double size = glm::length(normal);
+    return size > 0.0 ? glm::vec3(normal / size) : glm::vec3(0.0f);
+}
+
+std::array<glm::vec3, 2> culled_normals(const IntersectionLine& line, std::span<const LineObject> objects)
+{
+    std::array<glm::vec3, 2> normals{};
+    for (std::size_t side = 0; side < 2; ++side) {
+        const LineObject& object = objects[line.objects[side]];
+        if (object.is_culled && !object.surface->is_two_sided(line.faces[side]))
+            normals[side] = front_normal(object, line.faces[side], objects[owner_of(line, objects)]);
+    }
+    return normals;
+}
+
 }  // namespace
 
 LineExtras find_intersection_extras(const Scene& scene, std::span<const EdgeDemand> demands, SceneSurfaces& surfaces)
@@ -62,7 +90,8 @@ LineExtras find_intersection_extras(const Scene& scene, std::span<const EdgeDema
         objects.push_back({.surface = &surfaces.of(id),
                            .world_from_object = scene.world_from_object(id),
                            .is_drawn = demands[id].is_any(),
-                           .with_intersections = demands[id].has_intersections});
+                           .with_intersections = demands[id].has_intersections,
+                           .is_culled = surfaces.is_culled(id)});
     extras.intersections = find_intersections(objects);
     std::map<std::uint32_t, glm::vec3> places;  // one for each joint, so that pieces run on into each other
     for (std::uint32_t i = 0; i < extras.intersections.size(); ++i) {
@@ -73,7 +102,7 @@ LineExtras find_intersection_extras(const Scene& scene, std::span<const EdgeDema
             const glm::vec3 p(glm::dvec3(object_from_world * glm::dvec4(line.ends_world[end], 1.0)));
             return places.try_emplace(line.joints[end], p).first->second;
         };
-        extras.objects[ids[owner]].intersections.push_back({{place(0), place(1)}, i});
+        extras.objects[ids[owner]].intersections.push_back({{place(0), place(1)}, i, culled_normals(line, objects)});
         for (std::uint32_t& object : line.objects) object = ids[object];
     }
     return extras;

@@ -17,6 +17,8 @@ namespace hw {
 struct ObjectIntersection {
     std::array<glm::vec3, 2> ends{};
     std::uint32_t index = 0;  ///< Into LineExtras::intersections.
+    /// Unit normals of the two faces that are not drawn where they look away; zero: the face is always drawn.
+    std::array<glm::vec3, 2> culled_normals{};
 };
 
 /// What the lines of an object have beside the edges of its own surface.

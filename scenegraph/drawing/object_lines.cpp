@@ -74,9 +74,13 @@ class LineCollector {
                              .source = {LineSource::Kind::kept, i},
                              .sides = sides_of(seams_.kept[i].edge)});
     }
-    void add_piece(const std::array<glm::vec3, 2>& ends, LineClass line_class, LineSource source)
+    void add(const ObjectIntersection& piece)
     {
-        lines.push_back({.ends = ends, .line_class = line_class, .source = source});
+        const auto& [a, b] = piece.culled_normals;
+        lines.push_back({.ends = piece.ends,
+                         .line_class = LineClass::intersection,
+                         .source = {LineSource::Kind::intersection, piece.index},
+                         .sides = {a, b, a != glm::vec3(0.0f) || b != glm::vec3(0.0f)}});
     }
 
     std::vector<ObjectLine> lines;
@@ -155,8 +159,7 @@ ObjectLines object_lines(const ObjectEdges& edges)
     LineCollector collector(edges);
     collector.add(classes.borders, LineClass::border);
     collector.add_kept();
-    for (const ObjectIntersection& piece : edges.extras.intersections)
-        collector.add_piece(piece.ends, LineClass::intersection, {LineSource::Kind::intersection, piece.index});
+    for (const ObjectIntersection& piece : edges.extras.intersections) collector.add(piece);
     for (const EdgeRange range : classes.artist) collector.add(range, LineClass::artist);
     for (const EdgeRange range : classes.ridges) collector.add(range, LineClass::ridge);
     for (const EdgeRange range : classes.valleys) collector.add(range, LineClass::valley);

@@ -20,7 +20,7 @@ struct LineSides {
     /// are culled. Where those of two faces disagree about the eye the line is a silhouette.
     glm::vec3 normal_a{0.0f};
     glm::vec3 normal_b{0.0f};
-    bool are_culled = false;  ///< The line is not drawn where both look away.
+    bool are_culled = false;  ///< The line is not drawn where both look away; an intersection, where either does.
 };
 
 /// A line that is drawn from every viewpoint where it is not hidden. Object space.

@@ -107,6 +107,33 @@ TEST(line_extras, a_drawn_object_has_a_line_where_it_goes_through_one_that_is_no
     EXPECT_TRUE(find_line_extras(scene, none, surfaces).intersections.empty());
 }
 
+TEST(line_extras, a_meeting_knows_where_its_one_sided_faces_look_in_the_space_of_its_object)
+{
+    const glm::dmat4 upright =
+        glm::scale(glm::rotate(shift(0.5, -0.5, 0.1), 0.5 * M_PI, glm::dvec3(0, 0, 1)), glm::dvec3(-1, 2, 0.5));
+    for (const bool is_double_sided : {false, true}) {
+        const Scene scene =
+            scene_of_tiles({shift(0, 0, 0), glm::translate(upright, glm::dvec3(-1, 0, 0))}, is_double_sided);
+        SceneSurfaces surfaces(scene);
+        const LineExtras extras = find_line_extras(scene, std::vector<EdgeDemand>(2, demand(true)), surfaces);
+        ASSERT_FALSE(extras.objects[0].intersections.empty());
+        const auto& [own, other] = extras.objects[0].intersections[0].culled_normals;
+        const glm::dvec3 place(0.5, 0.0, 0.5);  // of the other, and what it sees of points beside it
+        for (const double x : {-3.0, 3.0}) {
+            const glm::dmat4 to_other = glm::inverse(scene.world_from_object(1));
+            const glm::dvec3 seen = glm::dvec3(to_other * glm::dvec4(place + glm::dvec3(x, 0, 0), 1.0));
+            const double side = is_double_sided ? 0.0 : seen.y - glm::dvec3(to_other * glm::dvec4(place, 1.0)).y;
+            const Surface& surface = surfaces.of(1);
+            const auto& [a, b, c] = surface.faces[0];
+            const auto& at = surface.positions;
+            const double up = glm::cross(at[b] - at[a], at[c] - at[a]).y;
+            EXPECT_EQ(other.x * x > 0.0, side * up > 0.0) << x;
+        }
+        EXPECT_NEAR(glm::length(other), is_double_sided ? 0.0f : 1.0f, 1e-6f);
+        EXPECT_NEAR(std::abs(own.y), is_double_sided ? 0.0f : 1.0f, 1e-6f);
+    }
+}
+
 TEST(edge_demand, is_of_both_styles_of_an_object)
 {
     std::vector<Needs> needs(3);

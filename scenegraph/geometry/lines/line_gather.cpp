@@ -79,6 +79,18 @@ struct ObjectPart {
     std::array<std::size_t, 2> lines{};
 };
 
+/// A face that looks away is not there when faces are culled. One that is seen edge-on, such as the ground in an
+/// elevation, hides nothing, but its lines are there.
+bool is_absent(const LineObject& object, const DrawnObject& drawn, std::uint32_t face)
+{
+    if (!object.is_culled || drawn.is_there[face] != 0) return false;
+    const Surface& surface = *object.surface;
+    const std::uint32_t plane = plane_face(surface, face);
+    if (plane == kNoFace) return true;
+    const auto& [a, b, c] = surface.faces[plane];
+    return facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], drawn.eye_object) < 0;
+}
+
 class ObjectGathering {
  public:
     ObjectGathering(std::uint32_t index, const LineObject& object, DrawnObject& drawn, const ImageSpace& space,
@@ -153,17 +165,7 @@ class ObjectGathering {
         return face < count ? face : object_.surface->filter.twins[face - count].face;
     }
 
-    /// A face that looks away is not there when faces are culled. One that is seen edge-on, such as the ground in an
-    /// elevation, hides nothing, but its lines are there.
-    bool is_absent(std::uint32_t face) const
-    {
-        if (!object_.is_culled || drawn_.is_there[face] != 0) return false;
-        const Surface& surface = *object_.surface;
-        const std::uint32_t plane = plane_face(surface, face);
-        if (plane == kNoFace) return true;
-        const auto& [a, b, c] = surface.faces[plane];
-        return facing_sign(surface.positions[a], surface.positions[b], surface.positions[c], drawn_.eye_object) < 0;
-    }
+    bool is_absent(std::uint32_t face) const { return hw::is_absent(object_, drawn_, face); }
 
     /// Whether all faces beside an edge are absent, or what is left of them runs straight on across it.
     bool is_behind_the_scenes(std::uint32_t edge) const
@@ -280,6 +282,7 @@ class ObjectGathering {
     SilhouetteScratch& scratch_;
 };
 
+/// A meeting needs both faces: along a wall that is not there the other just goes on.
 void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects, const ImageSpace& space,
                        std::span<const IntersectionLine> intersections)
 {
@@ -288,7 +291,11 @@ void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects
         const IntersectionLine& cut = intersections[i];
         const auto part = part_in_picture(space, turn * (cut.ends_world[0] - space.origin_world()),
                                           turn * (cut.ends_world[1] - space.origin_world()));
-        if (!part) continue;
+        const auto is_gone = [&](int side) {
+            const std::uint32_t object = cut.objects[side];
+            return is_absent(objects[object], drawing.objects[object], cut.faces[side]);
+        };
+        if (!part || is_gone(0) || is_gone(1)) continue;
         const std::uint32_t owner = owner_of(cut, objects);
         DrawnLine line{.object = owner,
                        .line_class = LineClass::intersection,

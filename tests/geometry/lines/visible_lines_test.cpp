@@ -278,6 +278,25 @@ TEST(visible_lines, an_edge_of_three_faces_is_left_out_only_where_all_of_them_ar
     }
 }
 
+TEST(visible_lines, a_meeting_with_a_wall_that_looks_away_is_no_line)
+{
+    const hw::Surface wall = upright_square();
+    const auto meeting_px = [&](double turn_rad, bool is_culled) {
+        const glm::dmat4 across = glm::rotate(at(0.2, 0, 0), turn_rad, glm::dvec3(0, 1, 0));
+        const std::vector<hw::LineObject> objects{
+            {.surface = &wall, .is_culled = true},
+            {.surface = &wall, .world_from_object = glm::scale(across, glm::dvec3(0.5)), .is_culled = is_culled}};
+        const auto cuts = hw::find_intersections(objects);
+        double length_px = 0.0;
+        for (const hw::VisibleLine& line : hw::find_visible_lines(objects, kFront, {.intersections = cuts}))
+            if (line.line_class == Class::intersection) length_px += length_of(line);
+        return length_px;
+    };
+    EXPECT_GT(meeting_px(-1.2, true), 20.0) << "it looks at the eye";
+    EXPECT_EQ(meeting_px(-1.2 + M_PI, true), 0.0);
+    EXPECT_GT(meeting_px(-1.2 + M_PI, false), 20.0);
+}
+
 TEST(visible_lines, a_wall_that_runs_straight_on_has_no_line_where_another_is_culled)
 {
     hw::MeshData mesh;  // a wall that looks at kFront, and one that stands on it

@@ -42,13 +42,14 @@ float hw_line_beyond(vec4 own, vec2 across)
     return (side < 0.0) == (folded == 1) ? -1.0 : 1.0;
 }
 
-// Whether all faces beside the line look away and are not drawn. Near ties are drawn.
+// Whether all faces beside the line look away and are not drawn; of those that meet one is enough. Near ties are drawn.
 bool hw_line_is_culled()
 {
     if (hw_in_line_other.w < 7.5) return false;
     vec3 to_eye = hw_line_to_eye();
     float tie = -1e-4 * length(to_eye);
-    return dot(hw_in_line_normal_a, to_eye) < tie && dot(hw_in_line_normal_b, to_eye) < tie;
+    bool a = dot(hw_in_line_normal_a, to_eye) < tie, b = dot(hw_in_line_normal_b, to_eye) < tie;
+    return (int(hw_in_line_other.w + 0.5) & 7) == 5 ? a || b : a && b;
 }
 
 // Width in pixels at this end of the line.
@@ -57,6 +58,6 @@ float hw_line_width_at(int line_class, vec3 relative)
     // In a parallel projection nothing is far away.
     float distance_m = hw_is_parallel ? 0.0 : length(relative);
     float px_per_m = hw_is_parallel ? hw_focal_px : hw_focal_px / max(distance_m, 1e-20);
-    float inside = hw_line_insideness(hw_in_line_normal_a, hw_in_line_normal_b, hw_line_to_eye());
+    float inside = line_class == 5 ? 0.0 : hw_line_insideness(hw_in_line_normal_a, hw_in_line_normal_b, hw_line_to_eye());
     return hw_line_width(line_class, hw_in_line_fold, distance_m, px_per_m, hw_in_line_crowding, inside);
 }
