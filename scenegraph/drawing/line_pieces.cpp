@@ -106,7 +106,7 @@ double LinePieces::width_at(const Segment& segment, const ImagePoint& point) con
         place.window_m = static_cast<float>(object.crowding->window() * object.metres_per_unit);
         place.crowding = line != nullptr ? glm::mix(line->crowding[0], line->crowding[1], segment.share_at(point))
                                          : object.crowding->at(glm::vec3(segment.in_object(point)));
-        if (line != nullptr) {
+        if (line != nullptr && line->line_class != LineClass::intersection) {
             const glm::vec3 middle = 0.5f * (line->ends[0] + line->ends[1]);
             const Viewpoint viewer = space_.viewpoint();
             const glm::vec3 eye(
