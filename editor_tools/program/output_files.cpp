@@ -9,6 +9,7 @@
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/files/files.hpp"
 #include "hatchway/core/files/folder_handle.hpp"
+#include "hatchway/io/level/file.hpp"
 
 namespace hw {
 namespace fs = std::filesystem;
@@ -43,9 +44,9 @@ bool may_be_project(const fs::path& folder)
     return folder.has_relative_path() && (home == nullptr || folder != one_spelling(home));
 }
 
-/// Throws hw::Error where the way to `folder` goes through a link that lies in the working folder or one of `projects`,
-/// or below: links come with a stranger's archive, and what is written must not end up where they lead. Links above are
-/// the user's own.
+/// Throws hw::Error where the way to `folder` goes through a link that lies in the working folder, in one of `projects`
+/// or in a marked project, or below: links come with a stranger's archive, and what is written must not end up where
+/// they lead. Links above are the user's own.
 void require_no_brought_link(const fs::path& folder, const std::string& option, std::vector<fs::path> projects)
 {
     std::error_code failed;
@@ -56,8 +57,11 @@ void require_no_brought_link(const fs::path& folder, const std::string& option, 
         const fs::path above = one_spelling(part);
         part /= name;
         if (!fs::is_symlink(fs::symlink_status(part, failed)) || !may_be_project(above)) continue;
-        const bool is_brought = std::ranges::any_of(
-            projects, [&](const fs::path& project) { return may_be_project(project) && is_inside(above, project); });
+        const fs::path marked = marked_project(part);
+        const bool is_brought =
+            (!marked.empty() && may_be_project(marked)) || std::ranges::any_of(projects, [&](const fs::path& project) {
+                return may_be_project(project) && is_inside(above, project);
+            });
         if (is_brought)
             throw Error({.what = option + ": goes through a link that the project may have brought",
                          .file = part.string(),
@@ -122,7 +126,7 @@ void require_distinct(const std::vector<OutputFile>& outputs, const std::vector<
 void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<fs::path>& inputs)
 {
     std::vector<fs::path> projects;
-    for (const fs::path& input : inputs) projects.push_back(input.parent_path());
+    for (const fs::path& input : inputs) projects.push_back(input.empty() ? input : find_project_root(input));
     for (const OutputFile& output : outputs) {
         require_writable(output.file, output.option);
         if (!output.file.empty()) require_no_brought_link(output.file.parent_path(), output.option, projects);

@@ -101,17 +101,21 @@ TEST(folder_handle, the_next_process_removes_what_a_killed_one_left)
 {
     const TemporaryFolder folder;
     const auto leave = [&](const char* name) { std::ofstream(folder.path() / name) << "left"; };
-    fs::create_directory(folder.path() / ".hatchway-folder.tmp");
-    for (const char* name : {".hatchway-0123456789abcdef.tmp", ".hatchway-folder.tmp/level_0.png", ".hatchway-held.tmp",
-                             ".hatchway-other.tmp2", "kept"})
+    fs::create_directory(folder.path() / ".hatchway-00000000f01de400.tmp");
+    fs::create_directory(folder.path() / ".hatchway-plan.tmp");  // a user's own
+    for (const char* name : {".hatchway-0123456789abcdef.tmp", ".hatchway-00000000f01de400.tmp/level_0.png",
+                             ".hatchway-00000000000e1d00.tmp", ".hatchway-other.tmp2", "kept",
+                             ".hatchway-plan.tmp/thesis.txt", ".hatchway-0123456789ABCDEF.tmp"})
         leave(name);
-    fs::create_symlink("kept", folder.path() / ".hatchway-link.tmp");
-    const hw::Descriptor lock(::open((folder.path() / ".hatchway-held.tmp").c_str(), O_RDONLY | O_CLOEXEC));
+    fs::create_symlink("kept", folder.path() / ".hatchway-0000000000000011.tmp");
+    const hw::Descriptor lock(::open((folder.path() / ".hatchway-00000000000e1d00.tmp").c_str(), O_RDONLY | O_CLOEXEC));
     ASSERT_EQ(::flock(lock.value(), LOCK_EX), 0) << "as a process that lives";
     hw::FolderHandle(folder.path()).write("new", bytes(3, 'n'));
     EXPECT_FALSE(fs::exists(folder.path() / ".hatchway-0123456789abcdef.tmp"));
-    EXPECT_FALSE(fs::exists(folder.path() / ".hatchway-folder.tmp"));
-    for (const char* name : {".hatchway-held.tmp", ".hatchway-other.tmp2", ".hatchway-link.tmp", "kept", "new"})
+    EXPECT_FALSE(fs::exists(folder.path() / ".hatchway-00000000f01de400.tmp"));
+    for (const char* name :
+         {".hatchway-00000000000e1d00.tmp", ".hatchway-other.tmp2", ".hatchway-0000000000000011.tmp", "kept", "new",
+          ".hatchway-plan.tmp", ".hatchway-plan.tmp/thesis.txt", ".hatchway-0123456789ABCDEF.tmp"})
         EXPECT_TRUE(fs::exists(fs::symlink_status(folder.path() / name))) << name;
 }
 

@@ -22,10 +22,14 @@ namespace {
 
 constexpr std::string_view kStart = ".hatchway-";
 constexpr std::string_view kEnd = ".tmp";
+constexpr std::size_t kDigits = 16;
 
+/// Only what temporary_name() makes: a user's own notes may begin and end like that.
 bool is_temporary_name(std::string_view name)
 {
-    return name.starts_with(kStart) && name.ends_with(kEnd);
+    if (name.size() != kStart.size() + kDigits + kEnd.size()) return false;
+    return name.starts_with(kStart) && name.ends_with(kEnd) &&
+           name.substr(kStart.size(), kDigits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 struct CloseFolder {

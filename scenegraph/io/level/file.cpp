@@ -48,14 +48,22 @@ void put_in_order(std::vector<Named>& all, const std::vector<std::string>& names
 
 }  // namespace
 
+fs::path marked_project(const fs::path& file)
+{
+    std::error_code failed;
+    fs::path root = fs::absolute(file).lexically_normal().parent_path();
+    while (true) {
+        if (fs::exists(root / "hatchway.project", failed) || fs::exists(root / ".git", failed)) return root;
+        if (root == root.parent_path()) return {};
+        root = root.parent_path();
+    }
+}
+
 fs::path find_project_root(const fs::path& file)
 {
+    const fs::path marked = marked_project(file);
+    if (!marked.empty()) return marked;
     const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
-    std::error_code failed;
-    for (fs::path root = folder;; root = root.parent_path()) {
-        if (fs::exists(root / "hatchway.project", failed) || fs::exists(root / ".git", failed)) return root;
-        if (root == root.parent_path()) break;
-    }
     return folder.filename() == "levels" ? folder.parent_path() : folder;
 }
 

@@ -16,9 +16,11 @@ Level read_level(const std::filesystem::path& file);
 /// The same from text, as if it stood in `file`.
 Level parse_level(const std::string& text, const std::filesystem::path& file);
 
-/// The folder that no path of a level or model leaves: the nearest folder above `file` that holds a `hatchway.project`
-/// file or a `.git`; else, when the file lies in a folder named `levels`, that folder's parent; else the file's own
-/// folder.
+/// The nearest folder above `file` that holds a `hatchway.project` file or a `.git`; empty where there is none.
+std::filesystem::path marked_project(const std::filesystem::path& file);
+
+/// The folder that no path of a level or model leaves: marked_project(); else, when the file lies in a folder named `levels`,
+/// that folder's parent; else the file's own folder.
 std::filesystem::path find_project_root(const std::filesystem::path& file);
 
 }  // namespace hw

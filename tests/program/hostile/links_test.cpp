@@ -109,6 +109,27 @@ TEST_F(links, that_a_project_brought_are_not_written_through)
         run_program({"lines", (folder_ / "mine") + "/prism.glb", "--out", (folder_ / "mine") + "/p.svg"}).exit_code, 0);
 }
 
+TEST_F(links, at_the_root_of_a_marked_project_are_not_written_through_from_elsewhere)
+{
+    folder_.write("strange/hatchway.project", "");
+    fs::create_directory(strange("models"));
+    fs::rename(strange("prism.glb"), strange("models/prism.glb"));
+    fs::create_directory_symlink("../outside", strange("pics"));
+    const std::string model = strange("models/prism.glb"), pics = strange("pics");
+    const std::vector<std::vector<std::string>> commands{{"render", model, "--size", "32x32", "--out", pics + "/p.png"},
+                                                         {"check", model, "--json", pics + "/p.json"},
+                                                         {"export-edges", model, "--out", pics + "/p.glb"},
+                                                         {"map", "hatch", "--width", "64", "--out", pics + "/p"},
+                                                         {"new-style", "mine", "--in", pics},
+                                                         {"schema", "--out", pics + "/p.json"}};
+    for (const std::vector<std::string>& command : commands) {
+        const ProgramResult refused = run_program(command);
+        EXPECT_EQ(refused.exit_code, 2) << command[0];
+        EXPECT_THAT(refused.err, HasSubstr("goes through a link that the project may have brought")) << command[0];
+    }
+    EXPECT_TRUE(fs::is_empty(folder_ / "outside"));
+}
+
 TEST_F(links, in_place_of_a_map_are_replaced)
 {
     folder_.write("outside/map.json", "mine");
