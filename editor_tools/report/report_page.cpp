@@ -56,6 +56,36 @@ std::string origin_html(const std::map<std::string, JsonCell>& facts)
     return html + "</p>\n";
 }
 
+/// The table of a list of a section's result; null where it has none.
+const JsonTable* table_named(const MeasuredSection& measured, const std::string& list)
+{
+    if (list == "rows") return &measured.table;
+    const auto& names = measured.section.more;
+    const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), list) - names.begin());
+    return at < measured.more.size() ? &measured.more[at] : nullptr;
+}
+
+/// The figures of a recipe, without series where no row has both columns.
+std::vector<Plot> plots_of(const PlotRecipe& recipe, const JsonTable& table)
+{
+    std::vector<Plot> plots;
+    for (const auto& row : table.rows) {
+        const std::string part = recipe.per_column.empty() ? "" : ": " + text_in(row, recipe.per_column);
+        auto plot = std::find_if(plots.begin(), plots.end(),
+                                 [&](const Plot& known) { return known.title == recipe.title + part; });
+        if (plot == plots.end()) plot = plots.insert(plot, {recipe.title + part, recipe.x_label, recipe.y_label, {}});
+        const double x = sum_in(row, recipe.x_column);
+        const double y = sum_in(row, recipe.y_column);
+        if (!(x >= 0.0) || !(y >= 0.0)) continue;
+        const std::string name = series_name(row, recipe.series_columns);
+        auto series = std::find_if(plot->series.begin(), plot->series.end(),
+                                   [&](const PlotSeries& candidate) { return candidate.name == name; });
+        if (series == plot->series.end()) series = plot->series.insert(series, {name, {}, recipe.is_joined});
+        series->points.emplace_back(x, y);
+    }
+    return plots;
+}
+
 std::string section_html(const MeasuredSection& measured)
 {
     const ReportSection& section = measured.section;
@@ -64,7 +94,9 @@ std::string section_html(const MeasuredSection& measured)
     html += fmt::format("<p><b>Does not show:</b> {}</p>\n<p>{}</p>\n<p><b>Judge:</b> {}</p>\n",
                         escaped(section.leaves_out), escaped(section.says), escaped(section.judge));
     html += origin_html(measured.table.facts);
-    for (const PlotRecipe& recipe : section.plots) html += svg_of(plot_of(recipe, measured.table));
+    for (const PlotRecipe& recipe : section.plots)
+        if (const JsonTable* table = table_named(measured, recipe.list))
+            for (const Plot& plot : plots_of(recipe, *table)) html += svg_of(plot);
     const auto add_table = [&](const std::string& name, const JsonTable& table) {
         html += "<details><summary>" + escaped(name) + "</summary>\n" + table_of(table) + "</details>\n";
     };
@@ -80,22 +112,6 @@ constexpr const char* kStyleSheet =
     "pre{background:#f5f3ee;padding:.5rem;overflow-x:auto}.failure{color:#a00}svg{max-width:100%;height:auto}";
 
 }  // namespace
-
-Plot plot_of(const PlotRecipe& recipe, const JsonTable& table)
-{
-    Plot plot{recipe.title, recipe.x_label, recipe.y_label, {}};
-    for (const auto& row : table.rows) {
-        const double x = sum_in(row, recipe.x_column);
-        const double y = sum_in(row, recipe.y_column);
-        if (!(x >= 0.0) || !(y >= 0.0)) continue;
-        const std::string name = series_name(row, recipe.series_columns);
-        auto series = std::find_if(plot.series.begin(), plot.series.end(),
-                                   [&](const PlotSeries& candidate) { return candidate.name == name; });
-        if (series == plot.series.end()) series = plot.series.insert(series, {name, {}, recipe.is_joined});
-        series->points.emplace_back(x, y);
-    }
-    return plot;
-}
 
 std::string report_page(const std::vector<MeasuredSection>& sections)
 {

@@ -16,9 +16,6 @@ struct MeasuredSection {
     std::string failure;
 };
 
-/// The figure of a recipe; without series when no row has both columns.
-struct Plot plot_of(const PlotRecipe& recipe, const JsonTable& table);
-
 /// One HTML page: figures, tables, and for each section the commit, machine, day and command that made its rows, as
 /// they say themselves. Needs nothing beside it.
 std::string report_page(const std::vector<MeasuredSection>& sections);

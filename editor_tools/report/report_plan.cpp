@@ -1,5 +1,6 @@
 #include "report/report_plan.hpp"
 
+#include "report/edge_sections.hpp"
 #include "report/hatching_sections.hpp"
 #include "report/other_sections.hpp"
 #include "report/section_arguments.hpp"
@@ -298,6 +299,7 @@ std::vector<ReportSection> report_plan(const fs::path& content, const fs::path& 
     add(lightmap_section());
     add(lines_section(drawn));
     add(visible_lines_section(data.empty() ? drawn : joined(drawn, models_in(data / "hard"))));
+    for (ReportSection& section : edge_sections(hall, data)) add(std::move(section));
     add(hatch_section());
     add(coherence_section(hall));
     add(ink_section(content / "maps" / "ink"));

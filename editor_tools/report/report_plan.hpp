@@ -15,6 +15,8 @@ struct PlotRecipe {
     std::string y_label;
     std::vector<std::string> series_columns;  ///< Rows with equal cells in these are one series.
     bool is_joined = false;
+    std::string list = "rows";  ///< Of the JSON, whose elements are the points; one of `more` if not the rows.
+    std::string per_column;     ///< One figure for each value of this; empty: one for all.
 };
 
 /// One measurement of the report: a command line after `hatchway measure`, and what is shown of its rows. Without

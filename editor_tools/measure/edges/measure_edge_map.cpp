@@ -1,10 +1,12 @@
 // The edge map against the exact visible lines: each operator on each format of its image, over a sweep of thresholds;
-// what it costs, the widths it draws, what turning the picture changes, and scenes that it is known to fail on.
+// what it costs, the widths it draws, what turning the picture changes, and scenes that it is known to fail on. Beside
+// it the lines of the meshes as the device draws them, judged in the same way.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/plain_text.hpp"
@@ -29,42 +31,54 @@ struct EdgeMapArguments {
     std::vector<std::filesystem::path> files;
     int views = 3;
     std::string size = "1400x900";
-    std::vector<std::string> operators{"second", "diagonal", "c1", "c1_three_passes"};
+    std::vector<std::string> operators{"second", "diagonal", "c1", "c1_three_passes", "ids", "ids_2011", "object"};
     std::filesystem::path pictures;
     MeasureResult result;
 };
 
 /// One way to make an edge map.
 struct Variant {
-    const char* name;  ///< Of the operator.
-    const char* format;
-    const char* normal;
+    const char* name;  ///< Of the operator; "object" is the lines of the meshes.
+    const char* format = "";
+    const char* normal = "";  ///< Empty: its image is that of numbers of triangles.
 
+    bool is_of_meshes() const { return std::string_view(name).starts_with("object"); }
+    bool is_of_ids() const { return std::string_view(name).starts_with("ids"); }
     ImageKey key(double width_px = 1.0) const
     {
-        return {"edge_map",
-                {{"operator", std::string(name)},
-                 {"format", std::string(format)},
-                 {"normal", std::string(normal)},
-                 {"width_px", width_px}}};
+        ImageKey key{"edge_map", {{"operator", std::string(name)}, {"width_px", width_px}}};
+        if (is_of_ids()) return key;
+        key.params["format"] = std::string(format);
+        key.params["normal"] = std::string(normal);
+        return key;
     }
-    bool is_ours() const { return std::string_view(name) == "second"; }
+    ImageKey source() const
+    {
+        if (is_of_ids()) return {"triangle_ids", {{"planes", std::string_view(name) == "ids"}}};
+        return {"normal_depth", {{"format", std::string(format)}, {"normal", std::string(normal)}}};
+    }
+    /// Whether it marks edges as whole ones: the papers' operators need a threshold.
+    bool is_without_threshold() const { return std::string_view(name) == "second" || is_of_ids() || is_of_meshes(); }
     bool is_default() const
     {
-        return is_ours() && std::string_view(format) == "rgba32f" && std::string_view(normal) == "face";
+        return std::string_view(name) == "second" && std::string_view(format) == "rgba32f" &&
+               std::string_view(normal) == "face";
     }
-    std::string text() const { return fmt::format("{} {}", name, format); }
+    std::string text() const { return *format == 0 ? name : fmt::format("{} {}", name, format); }
 };
 /// Ours first. The paper's is the diagonal operator on bytes with interpolated normals.
-constexpr std::array<Variant, 9> kVariants{{{"second", "rgba32f", "face"},
-                                            {"second", "rgba16f", "face"},
-                                            {"second", "rgba8", "face"},
-                                            {"second", "rgba32f", "geometric"},
-                                            {"diagonal", "rgba8", "geometric"},
-                                            {"diagonal", "rgba32f", "geometric"},
-                                            {"c1", "rgba8", "geometric"},
-                                            {"c1_three_passes", "rgba8", "geometric"},
-                                            {"c1", "rgba32f", "geometric"}}};
+constexpr std::array<Variant, 12> kVariants{{{"second", "rgba32f", "face"},
+                                             {"second", "rgba16f", "face"},
+                                             {"second", "rgba8", "face"},
+                                             {"second", "rgba32f", "geometric"},
+                                             {"diagonal", "rgba8", "geometric"},
+                                             {"diagonal", "rgba32f", "geometric"},
+                                             {"c1", "rgba8", "geometric"},
+                                             {"c1_three_passes", "rgba8", "geometric"},
+                                             {"c1", "rgba32f", "geometric"},
+                                             {"ids"},
+                                             {"ids_2011"},
+                                             {"object"}}};
 constexpr std::array kThresholds{0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 0.95};
 constexpr std::size_t kDefaultThreshold = 3;
 constexpr std::array kWidthsPx{1.0, 2.0, 4.0, 8.0};
@@ -75,16 +89,18 @@ struct Row {
     Variant variant{};
     int views = 0;
     std::array<EdgeError, kThresholds.size()> errors;
-    double images_s = 0.0;  ///< Mean of the views, the image of normals and depths included.
-    double source_s = 0.0;  ///< That image alone.
+    double images_s = 0.0;   ///< Mean of the views, the image of normals and depths included.
+    double source_s = 0.0;   ///< That image alone.
+    double prepare_s = 0.0;  ///< Of the lines of the meshes: what is made once of each.
     double turned_unlike = 0.0;
     double turned_marks = 0.0;
     std::array<std::vector<float>, kWidthsPx.size()> widths;
 
-    /// The threshold at which profiles have the best harmonic mean of precision and recall; of ours the default.
+    /// The threshold at which profiles have the best harmonic mean of precision and recall; the default where edges are
+    /// whole ones.
     std::size_t told_threshold() const
     {
-        if (variant.is_ours()) return kDefaultThreshold;
+        if (variant.is_without_threshold()) return kDefaultThreshold;
         const auto worth = [&](std::size_t i) {
             const double p = errors[i].profile_precision(), r = errors[i].recall(EdgeKind::profile);
             return p > 0.0 && r > 0.0 ? 2.0 * p * r / (p + r) : 0.0;
@@ -95,6 +111,14 @@ struct Row {
         return best;
     }
 };
+
+/// The same lines of meshes that change, so that all that is prepared is made in each frame.
+Row made_anew(Row row)
+{
+    row.variant.name = "object, made anew";
+    row.images_s += row.prepare_s;
+    return row;
+}
 
 double quantile(std::vector<float> values, double share)
 {
@@ -110,6 +134,8 @@ JsonValue error_json(const EdgeError& error, double threshold)
         .set("threshold", threshold)
         .set("profile_recall", error.recall(EdgeKind::profile))
         .set("profile_precision", error.profile_precision())
+        .set("profile_missed", 1.0 - error.recall(EdgeKind::profile))
+        .set("profile_extra", 1.0 - error.profile_precision())
         .set("inner_recall", error.recall(EdgeKind::inner))
         .set("inner_precision", error.inner_precision())
         .set("flush_recall", error.recall(EdgeKind::flush))
@@ -119,11 +145,9 @@ JsonValue error_json(const EdgeError& error, double threshold)
 
 JsonValue named(JsonValue json, const Row& row)
 {
-    return json.set("model", row.model)
-        .set("operator", row.variant.name)
-        .set("format", row.variant.format)
-        .set("normal", row.variant.normal)
-        .set("variant", row.variant.text());
+    json.set("model", row.model).set("variant", row.variant.text()).set("operator", row.variant.name);
+    if (*row.variant.normal == 0) return json.set("format", JsonValue()).set("normal", JsonValue());
+    return json.set("format", row.variant.format).set("normal", row.variant.normal);
 }
 
 JsonValue row_json(const Row& row, double megapixels)
@@ -134,8 +158,10 @@ JsonValue row_json(const Row& row, double megapixels)
     const auto length = [&](EdgeKind kind) { return error.wanted_px[static_cast<std::size_t>(kind)]; };
     json.set("views", row.views).set("profile_px", length(EdgeKind::profile)).set("inner_px", length(EdgeKind::inner));
     json.set("flush_px", length(EdgeKind::flush));
+    json.set("ms", 1000.0 * row.images_s);
     json.set("ms_per_megapixel", 1000.0 * row.images_s / megapixels);
-    json.set("edge_ms_per_megapixel", 1000.0 * (row.images_s - row.source_s) / megapixels);
+    const double edge_s = row.variant.is_of_meshes() ? measure::kNoValue : row.images_s - row.source_s;
+    json.set("edge_ms_per_megapixel", 1000.0 * edge_s / megapixels);
     json.set("unlike_when_turned", measure::share_of(row.turned_unlike, row.turned_marks));
     for (std::size_t i = 0; i < kWidthsPx.size(); ++i) {
         json.set(fmt::format("width_{}_median", kWidthsPx[i]), quantile(row.widths[i], 0.5));
@@ -182,6 +208,12 @@ void add_turned(Row& row, const Pixels& map, const Pixels& of_turned)
         }
 }
 
+/// Lines of the meshes lie on both sides of an outline, so they count where no object is, too.
+Pixels everywhere(glm::ivec2 size)
+{
+    return {size.x, size.y, 3, std::vector<std::uint8_t>(std::size_t{3} * size.x * size.y, 255)};
+}
+
 class Measurement {
  public:
     Measurement(const EdgeMapArguments& arguments, Context& context)
@@ -203,15 +235,20 @@ class Measurement {
         const auto cameras = lines.cameras(arguments_.views, static_cast<double>(size_.x) / size_.y);
         std::vector<Row> rows;
         for (const Variant& variant : variants_)
-            rows.push_back(
-                {.model = file.stem().string(), .variant = variant, .views = static_cast<int>(cameras.size())});
+            rows.push_back({.model = file.stem().string(),
+                            .variant = variant,
+                            .views = static_cast<int>(cameras.size()),
+                            .prepare_s = variant.is_of_meshes() ? lines.prepare_s() : 0.0});
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             if (cameras[i].orthographic_height_m)
                 throw Error(
                     {.what = "a camera in parallel projection", .file = file.string(), .expected = "perspective"});
             const View view = camera_view(cameras[i], size_, lines.scene().bounds_world);
-            const EdgeJudge judge(drawing.draw(view, {"object_ids", {}}), wanted_edges(lines, cameras[i], size_));
-            for (Row& row : rows) add_view(row, drawing, view, judge, i);
+            const std::vector<WantedEdge> wanted = wanted_edges(lines, cameras[i], size_);
+            const EdgeJudge judge(drawing.draw(view, {"object_ids", {}}), wanted);
+            const EdgeJudge judge_of_meshes(everywhere(size_), wanted);
+            sources_s_.clear();
+            for (Row& row : rows) add_view(row, drawing, view, row.variant.is_of_meshes() ? judge_of_meshes : judge, i);
         }
         return rows;
     }
@@ -220,13 +257,20 @@ class Measurement {
     {
         EdgeDrawing drawing(context_, plugins_, blind.scene);
         const View view = camera_view(blind.camera, size_, blind.scene.bounds_world);
-        const EdgeJudge judge(drawing.draw(view, {"object_ids", {}}), blind.wanted(size_));
+        const EdgeJudge judge(variant.is_of_meshes() ? everywhere(size_) : drawing.draw(view, {"object_ids", {}}),
+                              blind.wanted(size_));
         const double threshold = kThresholds[kDefaultThreshold];
-        const EdgeError error = judge.judge(drawing.draw(view, variant.key()), threshold);
+        const EdgeError error = judge.judge(drawn(drawing, view, variant), threshold);
         print_line(fmt::format("{:<46} {:<23} flush {:6.2f} %  profile {:6.2f} %  false pixels {:7.4f} %", blind.name,
                                variant.text(), 100.0 * error.recall(EdgeKind::flush),
                                100.0 * error.recall(EdgeKind::profile), 100.0 * error.false_share()));
         return error_json(error, threshold).set("case", blind.name).set("variant", variant.text());
+    }
+
+    static Pixels drawn(EdgeDrawing& drawing, const View& view, const Variant& variant, double* seconds = nullptr)
+    {
+        return variant.is_of_meshes() ? drawing.object_lines(view, seconds)
+                                      : drawing.draw(view, variant.key(), seconds);
     }
 
     double megapixels() const { return 1e-6 * size_.x * size_.y; }
@@ -234,18 +278,14 @@ class Measurement {
  private:
     void add_view(Row& row, EdgeDrawing& drawing, const View& view, const EdgeJudge& judge, std::size_t number)
     {
-        double images_s = 0.0, source_s = 0.0;
-        const Pixels map = drawing.draw(view, row.variant.key(), &images_s);
-        drawing.draw(view,
-                     {"normal_depth",
-                      {{"format", std::string(row.variant.format)}, {"normal", std::string(row.variant.normal)}}},
-                     &source_s);
+        double images_s = 0.0;
+        const Pixels map = drawn(drawing, view, row.variant, &images_s);
         row.images_s += images_s / row.views;
-        row.source_s += source_s / row.views;
+        if (!row.variant.is_of_meshes()) row.source_s += source_s(drawing, view, row.variant) / row.views;
         std::vector<EdgeVerdict> verdicts;
         for (std::size_t i = 0; i < kThresholds.size(); ++i)
             row.errors[i].add(judge.judge(map, kThresholds[i], i == kDefaultThreshold ? &verdicts : nullptr));
-        add_turned(row, map, drawing.draw(turned(view), row.variant.key()));
+        add_turned(row, map, drawn(drawing, turned(view), row.variant));
         for (std::size_t i = 0; row.variant.is_default() && i < kWidthsPx.size(); ++i) {
             const auto ratios = judge.width_ratios(drawing.draw(view, row.variant.key(kWidthsPx[i])), kWidthsPx[i]);
             row.widths[i].insert(row.widths[i].end(), ratios.begin(), ratios.end());
@@ -256,11 +296,20 @@ class Measurement {
                      size_, verdicts);
     }
 
+    /// Each image of a view once.
+    double source_s(EdgeDrawing& drawing, const View& view, const Variant& variant)
+    {
+        const auto [known, is_new] = sources_s_.try_emplace(variant.source(), 0.0);
+        if (is_new) drawing.draw(view, known->first, &known->second);
+        return known->second;
+    }
+
     const EdgeMapArguments& arguments_;
     Context& context_;
     PluginRegistry plugins_;
     glm::ivec2 size_;
     std::vector<Variant> variants_;
+    std::map<ImageKey, double> sources_s_;  // of the view that is drawn
 };
 
 void measure_edge_map(const EdgeMapArguments& arguments)
@@ -278,6 +327,7 @@ void measure_edge_map(const EdgeMapArguments& arguments)
         for (const Row& row : measurement.rows_of(file)) {
             print_lines(row_text(row, measurement.megapixels()));
             rows.push(row_json(row, measurement.megapixels()));
+            if (row.variant.is_of_meshes()) rows.push(row_json(made_anew(row), measurement.megapixels()));
             for (std::size_t i = 0; i < kThresholds.size(); ++i)
                 curve.push(named(error_json(row.errors[i], kThresholds[i]), row));
         }
@@ -303,7 +353,9 @@ void add_measure_edge_map(CommandLine measure)
     command.add_option("--views", arguments->views, "Views of each: its cameras, else around it; 3")
         .option_text("N")
         .check(whole_number_in(1, 1'000));
-    command.add_option("--operators", arguments->operators, "Which; second,diagonal,c1,c1_three_passes")
+    command
+        .add_option("--operators", arguments->operators,
+                    "Which; second,diagonal,c1,c1_three_passes,ids,ids_2011,object")
         .check(one_of(EdgeMapArguments().operators))
         .delimiter(',');
     command.add_option("--size", arguments->size, "Size of the pictures, 1400x900").option_text("WxH");

@@ -30,7 +30,7 @@ struct IdsArguments {
     std::vector<std::filesystem::path> files;
     int views = 3;
     std::string size = "1400x900";
-    std::vector<int> fan{16, 64, 256, 1024, 4096};
+    std::vector<int> fan{16, 64, 256, 1024};
     MeasureResult result;
 };
 
@@ -81,6 +81,8 @@ JsonValue row_json(const std::string& model, std::uint64_t triangles, const Row&
         .set("plain_ms", 1000.0 * row.plain_s)
         .set("ids_ms", 1000.0 * row.ids_s)
         .set("resolve_ms", 1000.0 * row.resolve_s)
+        .set("ids_over_plain", row.ids_s / row.plain_s)
+        .set("resolve_over_plain", row.resolve_s / row.plain_s)
         .set("device_fps", 1.0 / device_s)
         .set("object_fps", 1.0 / (row.plain_s + lines.prepare_s + lines.find_s))
         .set("object_prepare_ms", 1000.0 * lines.prepare_s)
@@ -88,6 +90,8 @@ JsonValue row_json(const std::string& model, std::uint64_t triangles, const Row&
         .set("differing_pixels", row.differing)
         .set("profile_recall", row.error.recall(EdgeKind::profile))
         .set("profile_precision", row.error.profile_precision())
+        .set("profile_missed", 1.0 - row.error.recall(EdgeKind::profile))
+        .set("profile_extra", 1.0 - row.error.profile_precision())
         .set("flush_recall", row.error.recall(EdgeKind::flush))
         .set("inner_recall", row.error.recall(EdgeKind::inner))
         .set("false_share", row.error.false_share())
@@ -236,9 +240,9 @@ void add_measure_ids(CommandLine measure)
         .option_text("N")
         .check(whole_number_in(1, 1'000));
     command.add_option("--size", arguments->size, "Size of the pictures, 1400x900").option_text("WxH");
-    command.add_option("--fan", arguments->fan, "Sides of the fans of triangles; 16,64,256,1024,4096")
+    command.add_option("--fan", arguments->fan, "Sides of the fans of triangles; 16,64,256,1024")
         .option_text("N,...")
-        .check(whole_number_in(3, 100'000))
+        .check(whole_number_in(3, 1500))
         .delimiter(',');
     arguments->result.add_to(command);
     command.callback([arguments] { measure_ids(*arguments); });

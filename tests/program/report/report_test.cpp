@@ -151,6 +151,33 @@ TEST(report_program, a_figure_that_no_result_has_is_refused_and_no_page_is_writt
     EXPECT_EQ(bytes_of(report.page("a.md")), stale);
 }
 
+TEST(report_program, lines_from_images_have_a_figure_of_time_against_error_for_each_model)
+{
+    const TemporaryFolder folder;
+    const std::string origin = R"("origin": {"commit": "0123456789", "command": "hatchway measure edge-map"})";
+    fs::create_directories(folder.path() / "results");
+    folder.write("results/edge_map.json",
+                 R"({"rows": [
+{"model": "pot", "variant": "ids", "normal": null, "ms": 5, "profile_missed": 0.1, "profile_extra": 0.02},
+{"model": "pot", "variant": "object", "normal": null, "ms": 9, "profile_missed": 0.01, "profile_extra": 0},
+{"model": "hall", "variant": "ids", "normal": null, "ms": 7, "profile_missed": 0.2, "profile_extra": null}],
+"cases": [], "curve": [], )" +
+                     origin + "}");
+    folder.write("results/ids.json",
+                 R"({"rows": [{"model": "pot"}], "cases": [], "fan": [
+{"sides": 16, "storage": "lists", "resolve_ms": 3}, {"sides": 64, "storage": "lists", "resolve_ms": 12}], )" +
+                     origin + "}");
+    const ProgramResult result =
+        run_program({"report", "--out", folder.path().string(), "--reuse", "--only", "edge_map", "--only", "ids"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string page = bytes_of(folder.path() / "index.html");
+    EXPECT_THAT(page, testing::HasSubstr("Time against error of profiles: pot<"));
+    EXPECT_THAT(page, testing::Not(testing::HasSubstr("Time against error of profiles: hall<")))
+        << "of what nothing was measured there is no point, and so no figure";
+    EXPECT_THAT(page, testing::HasSubstr(">The fan around one edge<"));
+    EXPECT_THAT(page, testing::Not(testing::HasSubstr("class=\"failure\"")));
+}
+
 /// A square of glass: it hides nothing.
 const char* const kGlass =
     R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "scene": 0, "nodes": [{"mesh": 0}],
