@@ -136,6 +136,8 @@ TEST(typed_figures, of_no_document_were_measured)
         // a proof, a setting, a window of the judge, limits of picture_and_drawing_test
         {"docs/method/drawn_lines.md",
          {"0.5", "0.5", "0.5", "0.5", "0.75", "0.75", "3.5", "99.5 %", "99.1 %", "2 %", "12 %"}},
+        // the triangles of a case
+        {"docs/method/edge_maps.md", {"20,000"}},
         // an example, and the largest step of that definition by its formula
         {"docs/method/hatching.md", {"1.5", "6 %", "95 %"}},
         // a limit of the atlas, samples of the reference
@@ -170,11 +172,14 @@ TEST(typed_figures, of_no_document_were_measured)
 
 TEST(typed_figures, where_pages_tell_what_was_measured_are_all_known_to_be_set)
 {
-    // By page: sizes of pictures, views and windows, limits of tests, columns. A figure that was measured is none of
-    // them.
+    // By page: sizes of pictures, views and windows, limits of tests, columns, cases, years. A figure that was measured
+    // is none of them.
     const std::map<std::string, std::string> set{
         {"devices.md", "320 200 16 255 thousand 5 25 1 thirty half thirty"},
         {"drawn_lines.md", "4 3.5 1000 ten 99.5 99.1 half 2 12"},
+        {"edge_maps.md",
+         "1400 900 2003 2011 2003 2011 2011 2003 2003 2011 two 2003 2003 2011 1 5 20,000 1 5 1 2011 2011 2 16 64 256 "
+         "1024 2003 2011"},
         {"hatching.md",
          "two a third two two 3 1 half half two 1.5 two 6 200 1 3 11 90 200 700 45 80 85 85 two 48 two 17 17 95 1280 "
          "720 1 4 0 100 1 four 0 five five five half 1 4"},
