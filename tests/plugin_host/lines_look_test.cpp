@@ -3,6 +3,7 @@
 
 #include "hatchway/gl/context.hpp"
 #include "hatchway/gl/headless_context.hpp"
+#include "hatchway/io/images/images.hpp"
 #include "hatchway/plugin_host/style_set.hpp"
 #include "hatchway/render/renderer.hpp"
 #include "hatchway/render/view/camera_view.hpp"
@@ -63,7 +64,7 @@ Drawn drawn(const StyleDesc& sheet, const FrameOptions& options = {.samples = 4}
 {
     const auto context = make_headless_context();
     const Scene scene = floor_and_sheet();
-    Renderer renderer(*context);
+    Renderer renderer(*context, read_image);
     StyleSet set(test_registry(),
                  [&](const std::filesystem::path& folder) -> ProgramCache& { return renderer.program_cache(folder); });
     Level level;
@@ -148,7 +149,8 @@ TEST(lines_look, every_style_draws_lines_from_ids)
 {
     const Params ids{{"lines_from", std::string("ids")}};
     const Params none{{"lines_from", std::string("none")}};
-    for (const char* plugin : {"photoreal", "pen_and_ink", "hybrid", "technical", "cartoon", "id_outline"}) {
+    for (const char* plugin :
+         {"photoreal", "pen_and_ink", "hybrid", "technical", "cartoon", "halftone", "id_outline"}) {
         const Pixels with_lines = drawn(style_of(plugin, ids)).picture, without = drawn(style_of(plugin, none)).picture;
         int unlike = 0;
         for (std::size_t i = 0; i < without.bytes.size(); i += 3)

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "hatchway/io/images/images.hpp"
 #include "tests/program/run_program.hpp"
 
 namespace hw::test {
@@ -138,6 +140,36 @@ TEST(program, renders_every_style_on_a_bare_model)
         EXPECT_THAT(result.out, testing::HasSubstr("triangles"));
     }
     EXPECT_NE(bytes_of(folder / "photoreal.png"), bytes_of(folder / "pen_and_ink.png"));
+}
+
+TEST(program, strokes_and_dots_of_a_halftone_have_the_same_tone)
+{
+    const TemporaryFolder folder;
+    fs::copy_file(kPrism, folder.path() / "prism.glb");
+    fs::copy(kContent / "maps", folder.path() / "maps", fs::copy_options::recursive);
+    std::map<std::string, double> whites;
+    for (const std::string screen : {"dots", "strokes"}) {
+        folder.write("a.level.json",
+                     R"({"format": "hatchway-level/1", "scene": "prism.glb", "styles": {"half": {
+            "plugin": "halftone", "screen": ")" +
+                         screen +
+                         R"(", "lines_from": "none", "darkness": 1, "material_tone": 1, "ink_colour": "#000000"}},
+            "assign": [{"nodes": "*", "style": "half"}], "exposure_ev": 14,
+            "cameras": {"a": {"position": [0, 1, 3], "look_at": [0, 1, 0], "fov_deg": 20}}})");
+        const ProgramResult result = run_program({"render", folder / "a.level.json", "--camera", "a", "--size",
+                                                  "200x200", "--samples", "1", "--no-pvs", "--out", folder / "a.png"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        const Pixels picture = read_image(folder / "a.png");
+        int black = 0, white = 0;
+        for (const std::uint8_t value : picture.bytes) {
+            whites[screen] += value / (255.0 * static_cast<double>(picture.bytes.size()));
+            black += value < 64 ? 1 : 0;
+            white += value > 192 ? 1 : 0;
+        }
+        EXPECT_GT(black, 1000) << screen;
+        EXPECT_GT(white, 1000) << screen;
+    }
+    EXPECT_NEAR(whites["dots"], whites["strokes"], 0.05);
 }
 
 TEST(program, a_photoreal_level_pays_nothing_for_ink)

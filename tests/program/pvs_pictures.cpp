@@ -34,7 +34,8 @@ int count_unlike(const Pixels& a, const Pixels& b)
 
 }  // namespace
 
-PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, int eyes)
+PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, int eyes,
+                               const std::optional<ImageKey>& shown)
 {
     const auto context = make_headless_context();
     StageOptions options;
@@ -52,9 +53,12 @@ PvsDifference compare_with_pvs(const fs::path& level, const std::string& style, 
     for (int i = 0; i < eyes; ++i) {
         const CameraPlace camera{random_place(bounds, random), random_place(bounds, random), 60.0};
         const View view = camera_view(camera, kSize, bounds);
-        const FrameStats with = stage.draw(view, {.samples = 1, .use_pvs = true});
+        FrameOptions options_of_frame{.samples = 1, .use_pvs = true};
+        options_of_frame.shown_image = shown;
+        const FrameStats with = stage.draw(view, options_of_frame);
         const Pixels picture = stage.renderer().read_picture();
-        const FrameStats without = stage.draw(view, {.samples = 1, .use_pvs = false});
+        options_of_frame.use_pvs = false;
+        const FrameStats without = stage.draw(view, options_of_frame);
         const int unlike = count_unlike(picture, stage.renderer().read_picture());
         result.unlike_pictures += unlike > 0;
         result.unlike_pixels += unlike;

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "hatchway/style/needs.hpp"
 
 namespace hw::test {
 
@@ -17,8 +20,9 @@ struct PvsDifference {
     std::string worst_view;
 };
 
-/// Draws a level from random eyes, with the PVS and without.
-PvsDifference compare_with_pvs(const std::filesystem::path& level, const std::string& style, int eyes);
+/// Draws a level from random eyes, with the PVS and without; an image of the frame in place of the picture, when given.
+PvsDifference compare_with_pvs(const std::filesystem::path& level, const std::string& style, int eyes,
+                               const std::optional<ImageKey>& shown = {});
 
 /// The scenes beside the project and the hall; those that exist.
 std::vector<std::filesystem::path> pvs_scenes();

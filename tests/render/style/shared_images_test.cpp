@@ -81,6 +81,29 @@ TEST_F(shared_images, normal_depth_holds_normals_of_triangles_or_interpolated_on
     EXPECT_TRUE(holds({"normal_depth", {{"normal", std::string("face")}}}, "sampler2D", same));
 }
 
+TEST_F(shared_images, normal_depth_holds_the_normals_of_normal_maps_where_it_is_asked_for_shading)
+{
+    // A normal map that leans to the right, as its red says: from (0, 0, 1) to (0.8, 0, 0.6).
+    scene_.images = {Pixels{.width = 1, .height = 1, .channels = 4, .bytes = {230, 128, 204, 255}}};
+    scene_.textures = {{.image = 0}};
+    Material material = painted(glm::vec3(1.0f));
+    material.normal_texture.texture = 0;
+    MeshData square;
+    square.positions = {{-2, -2, 0.5}, {2, -2, 0.5}, {2, 2, 0.5}, {-2, 2, 0.5}};
+    square.normals.assign(4, {0, 0, 1});
+    square.uv0 = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    square.indices = {0, 1, 2, 0, 2, 3};
+    square.has_own_normals = true;
+    add_object(scene_, square, glm::dmat4(1.0), material);
+    const auto normal_is = [&](const char* normal, const std::string& expected) {
+        return holds({"normal_depth", {{"normal", std::string(normal)}}}, "sampler2D",
+                     "distance(texture(shown, vec2(0.5)).xyz, " + expected + ") < 0.02");
+    };
+    EXPECT_TRUE(normal_is("shading", "vec3(0.8, 0.0, 0.6)"));
+    EXPECT_TRUE(normal_is("geometric", "vec3(0.0, 0.0, 1.0)"));
+    EXPECT_TRUE(normal_is("face", "vec3(0.0, 0.0, 1.0)"));
+}
+
 TEST_F(shared_images, the_depth_range_is_of_all_objects_that_need_the_image_seen_or_not)
 {
     for (const double x : {0.0, 50.0}) {  // the second stands beside the picture
