@@ -173,12 +173,16 @@ class Studio:
         shutil.rmtree(self.folder)
 
 
-def hall_level():
-    with open(os.path.join(ROOT, "content", "levels", "hall.level.json"), encoding="utf-8") as file:
-        text = re.sub(r"^\s*//.*$", "", file.read(), flags=re.M)
-    level = json.loads(text)
+def level_of(name):
+    """A level of the content, as its file says."""
+    with open(os.path.join(ROOT, "content", "levels", f"{name}.level.json"), encoding="utf-8") as file:
+        level = json.loads(re.sub(r"^\s*//.*$", "", file.read(), flags=re.M))
     level.pop("$schema", None)
     return level
+
+
+def hall_level():
+    return level_of("hall")
 
 
 def hall_in(style, **params):
@@ -552,7 +556,12 @@ def readme_pictures(studio):
     write_png(os.path.join(pages, "pen_and_ink", "by_hand.png"), studio.render(by_hand, "--camera", "columns", size="960x600"))
     outside = studio.render(hall_in("photoreal"), "--camera", "courtyard", size="960x600")
     write_png(os.path.join(pages, "photoreal", "photoreal.png"), outside)
+    write_png(os.path.join(pictures, "eight_styles.png"), eight_styles(studio))
     pages_of_lines(studio)
+
+
+def eight_styles(studio):
+    return studio.render(level_of("styles"), "--camera", "plate", size="1600x660")
 
 
 def pages_of_lines(studio):
