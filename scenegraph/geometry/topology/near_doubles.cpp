@@ -1,8 +1,8 @@
 #include "hatchway/geometry/topology/near_doubles.hpp"
 
 #include <algorithm>
-#include <numeric>
 
+#include "hatchway/core/disjoint_sets.hpp"
 #include "hatchway/geometry/topology/doubled_patches.hpp"
 #include "hatchway/geometry/topology/position_grid.hpp"
 
@@ -10,27 +10,6 @@ namespace hw {
 namespace {
 
 constexpr double kFoldedBack = 0.9;  // cosine between two faces across the border on which both lie
-
-/// Groups of positions, each named by its smallest.
-class Groups {
- public:
-    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    std::uint32_t of(std::uint32_t id)
-    {
-        while (parent_[id] != id) id = parent_[id] = parent_[parent_[id]];
-        return id;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = of(a);
-        b = of(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
- private:
-    std::vector<std::uint32_t> parent_;
-};
 
 class NearDoubles {
  public:
@@ -45,6 +24,7 @@ class NearDoubles {
         const std::vector<std::uint32_t> starts = on_other_borders();
         if (starts.empty()) return false;
         const std::vector<std::uint32_t> together = near_ones(candidates(starts));
+        if (together.empty()) return false;
         std::vector<FaceCorners> tried = faces_;
         for (FaceCorners& face : tried) {
             for (std::uint32_t& corner : face) corner = together[corner];
@@ -73,7 +53,12 @@ class NearDoubles {
         return length > 0.0 ? direction / length : direction;
     }
 
-    /// A position of every border that lies on another with both faces on one side.
+    bool is_short(const DirectedEdge& use) const
+    {
+        return glm::distance(place(use.low), place(use.high)) <= 2.0 * tolerance_;
+    }
+
+    /// A position of every border that lies on another with both faces on one side; none where too many are near.
     std::vector<std::uint32_t> on_other_borders() const
     {
         std::vector<DirectedEdge> borders;
@@ -90,23 +75,30 @@ class NearDoubles {
         std::vector<std::uint32_t> starts;
         for (std::uint32_t i = 0; i < borders.size(); ++i) {
             const DirectedEdge& border = borders[i];
+            if (is_short(border)) continue;  // what is connected with it is left alone
+            bool is_on_other = false;
             const auto lies_on = [&](const DirectedEdge& other, std::uint32_t low) {
                 const std::uint32_t high = other.low == low ? other.high : other.low;
                 return grid.distance(border.high, high) <= tolerance_ &&
                        glm::dot(across(border), across(other)) > kFoldedBack;
             };
             grid.for_each_near(border.low, [&](std::uint32_t low) {
-                for (const std::uint32_t other : at.at(low))
-                    if (other != i && lies_on(borders[other], low)) starts.push_back(border.low);
+                const std::vector<std::uint32_t>& others = at.at(low);
+                if (is_on_other || !grid.spend(others.size())) return;
+                is_on_other = std::any_of(others.begin(), others.end(), [&](std::uint32_t other) {
+                    return other != i && lies_on(borders[other], low);
+                });
             });
+            if (is_on_other) starts.push_back(border.low);
         }
+        if (!grid.has_steps()) starts.clear();
         return starts;
     }
 
     /// The positions of all that is connected with `starts` and has no short edge.
     std::vector<std::uint32_t> candidates(const std::vector<std::uint32_t>& starts) const
     {
-        Groups connected(positions_.size());
+        DisjointSets connected(positions_.size());
         for (const auto& [a, b, c] : faces_) {
             connected.join(a, b);
             connected.join(b, c);
@@ -115,8 +107,7 @@ class NearDoubles {
         for (const std::uint32_t start : starts) is_wanted[connected.of(start)] = true;
         for (const DirectedEdge& use : uses_) {
             is_used[use.low] = is_used[use.high] = true;
-            if (glm::distance(place(use.low), place(use.high)) <= 2.0 * tolerance_)
-                is_wanted[connected.of(use.low)] = false;
+            if (is_short(use)) is_wanted[connected.of(use.low)] = false;
         }
         std::vector<std::uint32_t> result;
         for (std::uint32_t id = 0; id < positions_.size(); ++id)
@@ -124,15 +115,16 @@ class NearDoubles {
         return result;
     }
 
-    /// Of each position the first that is near, or itself.
+    /// Of each position the first that is near, or itself; nothing where too many are near.
     std::vector<std::uint32_t> near_ones(const std::vector<std::uint32_t>& candidates) const
     {
         PositionGrid grid(positions_, tolerance_);
-        Groups groups(positions_.size());
+        DisjointSets groups(positions_.size());
         for (const std::uint32_t id : candidates) {
             grid.for_each_near(id, [&](std::uint32_t other) { groups.join(id, other); });
             grid.add(id);
         }
+        if (!grid.has_steps()) return {};
         std::vector<std::uint32_t> result(positions_.size());
         for (std::uint32_t id = 0; id < result.size(); ++id) result[id] = groups.of(id);
         return result;

@@ -40,6 +40,7 @@ class Stitcher {
     {
         std::uint32_t joined = 0;
         for (BorderEdge& edge : borders_) {
+            if (!grid_.has_steps()) break;  // the rest stay borders
             if (edge.is_joined || grid_.distance(edge.from, edge.to) <= 2.0 * tolerance_) continue;
             BorderEdge* const partner = nearest_partner(edge);
             if (!partner || !join(edge.from, partner->to) || !join(edge.to, partner->from)) continue;
@@ -68,7 +69,9 @@ class Stitcher {
         BorderEdge* best = nullptr;
         double best_distance = 2.0 * tolerance_;
         grid_.for_each_near(edge.to, [&](std::uint32_t start) {
-            for (const std::uint32_t index : leaving_.at(start)) {
+            const std::vector<std::uint32_t>& leaving = leaving_.at(start);
+            if (!grid_.spend(leaving.size())) return;
+            for (const std::uint32_t index : leaving) {
                 BorderEdge& other = borders_[index];
                 if (other.is_joined || &other == &edge || grid_.distance(other.to, edge.from) > tolerance_) continue;
                 const double total = grid_.distance(edge.to, other.from) + grid_.distance(edge.from, other.to);
@@ -94,6 +97,7 @@ class Stitcher {
         if (a == b) return true;
         if (b < a) std::swap(a, b);
         for (const std::uint32_t member : members(b)) {
+            grid_.spend(1 + faces_at_[member].size());
             for (const std::uint32_t face : faces_at_[member]) {
                 for (const std::uint32_t corner : faces_[face]) {
                     if (find(corner) == a) return false;

@@ -24,6 +24,7 @@ constexpr hw::test::ProgramLimits kLimits{.cpu_s = 300};
 constexpr double kLongest_s = 300.0;  // the machine may be busy with other tests
 constexpr hw::test::ProgramLimits kLimits{.cpu_s = 30, .memory_bytes = 2ull << 30};
 #endif
+constexpr hw::test::ProgramLimits kQuickLimits{.cpu_s = kLimits.cpu_s / 3, .memory_bytes = kLimits.memory_bytes};
 
 /// How many of what costs most: with HATCHWAY_WHOLE_CORPORA=1 so many as first took for ever, else as shows the growth.
 int whole_or(int sample, int whole)
@@ -287,8 +288,7 @@ TEST_F(endless, lines_of_objects_at_one_place)
 
 TEST_F(endless, a_rehearsal_of_boxes_at_one_place)
 {
-    const ProgramResult checked = run({"check", model(box(0.5f), json(5000, {{"mesh", 0}}))},
-                                      {.cpu_s = kLimits.cpu_s / 3, .memory_bytes = kLimits.memory_bytes});
+    const ProgramResult checked = run({"check", model(box(0.5f), json(5000, {{"mesh", 0}}))}, kQuickLimits);
     EXPECT_EQ(checked.exit_code, 0) << checked.err.substr(0, 2000);
 }
 
@@ -329,6 +329,38 @@ TEST_F(endless, faces_around_one_edge)
     const std::string file = model(triangles);
     expect_opens(file);
     expect_ends(lines_of(file));
+}
+
+/// A place within `reach` of another.
+glm::vec3 near(const glm::vec3& place, float reach, Random& random)
+{
+    return place + reach * (2.0f * random.point() - 1.0f);
+}
+
+TEST_F(endless, twelve_thousand_faces_smaller_than_what_is_stitched)
+{
+    Random random;
+    Triangles triangles;
+    const auto speck = [&] { return near(glm::vec3(0.0f), 1e-5f, random); };
+    for (int i = 0; i < 12'000; ++i) add_triangle(triangles, speck(), speck(), speck());
+    add_triangle(triangles, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const std::string file = model(triangles);
+    EXPECT_EQ(run({"silhouettes", file, "--eye", "3,2,4"}, kQuickLimits).exit_code, 0);
+    EXPECT_EQ(run({"info", file}).exit_code, 0) << "also in memory";
+}
+
+TEST_F(endless, twelve_thousand_borders_that_nearly_lie_on_each_other)
+{
+    const glm::vec3 from(0.0f), to(1.0f, 0.0f, 0.0f);
+    const float reach = 2e-6f;
+    for (const float apart : {0.0f, 0.5f}) {
+        Random random;
+        Triangles triangles;
+        for (int i = 0; i < 12'000; ++i)
+            add_triangle(triangles, near(i % 2 ? from : to, reach, random), near(i % 2 ? to : from, reach, random),
+                         near({0.5f, 0.6f, 0.0f}, reach + apart, random));
+        EXPECT_EQ(run({"silhouettes", model(triangles), "--eye", "3,2,4"}, kQuickLimits).exit_code, 0) << apart;
+    }
 }
 
 TEST_F(endless, one_face_fifty_thousand_times)

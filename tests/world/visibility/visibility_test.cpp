@@ -7,8 +7,10 @@
 #include <random>
 
 #include "hatchway/core/error.hpp"
+#include "hatchway/world/visibility/rows/leaf_clusters.hpp"
 #include "hatchway/world/visibility/rows/pvs.hpp"
 #include "hatchway/world/visibility/tree/portal_polygon.hpp"
+#include "hatchway/world/visibility/tree/portals.hpp"
 #include "tests/world/scene_builder.hpp"
 
 namespace hw {
@@ -298,6 +300,24 @@ TEST(visibility, a_level_that_is_too_fine_for_a_budget_is_told_with_counts_and_p
     const Compiled demoted = compile(scene, plain);
     ASSERT_FALSE(demoted.visibility.stats.shortfalls.empty());
     EXPECT_NE(demoted.visibility.stats.shortfalls.front().what.find("the budget is 4"), std::string::npos);
+}
+
+TEST(visibility, where_very_many_clusters_have_nothing_in_common_the_smallest_are_merged_all_the_same)
+{
+    SceneBuilder builder;
+    for (int i = 0; i < 9; ++i) builder.box({10.0 * i, 0, 0}, {10.0 * i + 1 + i, 4, 4}, true);  // no way leads out
+    VisibilityStats stats;
+    double area_m2 = 0.0;
+    BspBuild build = build_sight_tree(builder.scene(), Level{}, {}, stats, area_m2);
+    const std::vector<LeafContact> contacts = leaf_contacts(build);
+    const int most = 4, of_solid = 1;
+    EXPECT_FALSE(merge_clusters(build.tree, contacts, {.most_at_all = most}).empty());
+    EXPECT_EQ(build.tree.cluster_count, most + of_solid);
+    const auto cluster_at = [&](double x) {
+        return build.tree.cluster_of_leaf[static_cast<std::size_t>(leaf_at(build.tree, {x, 2, 2}))];
+    };
+    EXPECT_EQ(cluster_at(0.5), cluster_at(20.5));
+    EXPECT_NE(cluster_at(70.5), cluster_at(80.5)) << "the largest stay";
 }
 
 TEST(visibility, places_are_told_where_most_of_them_are)

@@ -40,12 +40,16 @@ class Merger {
         const auto group = [&](int leaf) {
             return group_of_leaf.empty() ? 0 : group_of_leaf[static_cast<std::size_t>(leaf)];
         };
+        group_.resize(owner_.size());
+        for (int leaf = 0; leaf < tree.leaf_count; ++leaf)
+            group_[static_cast<std::size_t>(tree.cluster_of_leaf[static_cast<std::size_t>(leaf)])] = group(leaf);
         for (const LeafContact& contact : contacts) {
             if (group(contact.front_leaf) == group(contact.back_leaf)) add(tree, contact);
         }
     }
 
-    void merge(int count, const LeafClusterOptions& options)
+    /// `open`: those that count, `count` of them.
+    void merge(int count, std::span<const std::uint8_t> open, const LeafClusterOptions& options)
     {
         for (std::size_t a = 0; a < borders_.size(); ++a) {
             for (const auto& [b, border] : borders_[a]) offer(static_cast<int>(a), b, options);
@@ -58,6 +62,7 @@ class Merger {
             join(best.a, best.b, options);
             --count;
         }
+        if (count > options.most_at_all) merge_any(count - options.most_at_all, open);
     }
 
     std::vector<glm::dvec3> take_places() { return std::move(places_); }
@@ -126,6 +131,25 @@ class Merger {
         return size.x + size.y + size.z;
     }
 
+    /// The smallest, whatever is between them.
+    void merge_any(int times, std::span<const std::uint8_t> open)
+    {
+        std::vector<std::pair<double, int>> smallest;
+        for (int cluster = 0; cluster < static_cast<int>(owner_.size()); ++cluster)
+            if (open[static_cast<std::size_t>(cluster)] && owner_of(cluster) == cluster)
+                smallest.emplace_back(size_of(cluster, cluster), cluster);
+        std::sort(smallest.begin(), smallest.end());
+        std::map<int, int> last_of_group;
+        for (const auto& [size, cluster] : smallest) {
+            if (times == 0) return;
+            const auto [last, is_first] = last_of_group.emplace(group_[static_cast<std::size_t>(cluster)], cluster);
+            if (is_first) continue;
+            take_over(cluster, last->second);
+            last->second = cluster;
+            --times;
+        }
+    }
+
     void offer(int a, int b, const LeafClusterOptions& options)
     {
         const Border& border = borders_[static_cast<std::size_t>(std::min(a, b))][std::max(a, b)];
@@ -143,15 +167,19 @@ class Merger {
         return result;
     }
 
+    void take_over(int a, int b)
+    {
+        const Box& added = boxes_[static_cast<std::size_t>(b)];
+        places_.push_back(added.is_empty() ? glm::dvec3(0.0) : added.centre());
+        owner_[static_cast<std::size_t>(b)] = a;
+        boxes_[static_cast<std::size_t>(a)].add(added);
+    }
+
     /// b becomes part of a.
     void join(int a, int b, const LeafClusterOptions& options)
     {
-        places_.push_back(boxes_[static_cast<std::size_t>(b)].is_empty()
-                              ? glm::dvec3(0.0)
-                              : boxes_[static_cast<std::size_t>(b)].centre());
-        owner_[static_cast<std::size_t>(b)] = a;
         const Box before = boxes_[static_cast<std::size_t>(a)];
-        boxes_[static_cast<std::size_t>(a)].add(boxes_[static_cast<std::size_t>(b)]);
+        take_over(a, b);
         std::vector<int> changed;
         for (const int other : neighbours_of(b)) {
             const Border old = take_border(b, other);
@@ -167,6 +195,7 @@ class Merger {
     }
 
     std::vector<int> owner_;
+    std::vector<int> group_;
     std::vector<Box> boxes_;
     std::vector<std::map<int, Border>> borders_;  ///< By the lower number, then by the higher.
     std::vector<std::set<int>> lower_;            ///< The neighbours of lower numbers.
@@ -225,7 +254,7 @@ std::vector<glm::dvec3> merge_open(BspTree& tree, std::span<const LeafContact> c
     for (std::size_t leaf = 0; leaf < tree.is_solid.size(); ++leaf) {
         if (!tree.is_solid[leaf]) is_open[static_cast<std::size_t>(tree.cluster_of_leaf[leaf])] = 1;
     }
-    merger.merge(static_cast<int>(std::count(is_open.begin(), is_open.end(), std::uint8_t{1})), options);
+    merger.merge(static_cast<int>(std::count(is_open.begin(), is_open.end(), std::uint8_t{1})), is_open, options);
     std::vector<int> number(is_open.size(), 0);
     int count = 1;
     for (std::size_t cluster = 0; cluster < is_open.size(); ++cluster) {

@@ -12,13 +12,15 @@ namespace hw {
 /// How far clusters are merged.
 struct LeafClusterOptions {
     int most = 600;                 ///< Small clusters that are open to each other are merged until there are so many.
-    double least_open_share = 0.6;  ///< Of their contact, for two clusters to be merged at all.
+    double least_open_share = 0.6;  ///< Of their contact, for two clusters to be merged.
+    int most_at_all = 10'000;       ///< Where more are left the smallest are merged, whatever is between them.
 };
 
 /// Makes clusters of what is really one place, and renumbers them. Parts of a cluster that no opening joins are
 /// clusters of their own. Those without an open leaf become one, number 0 (it needs no row of its own). Of the others,
-/// pairs whose contact is mostly open are merged, smallest first; what stood between them no longer blocks: more is
-/// visible, never less. Returns where that was done, a place for each merge, in metres from the grid's origin.
+/// pairs whose contact is mostly open are merged, smallest first, and any where still very many are left, such as the
+/// pockets between faces that are strewn at random; what stood between them no longer blocks: more is visible, never
+/// less. Returns where that was done, a place for each merge, in metres from the grid's origin.
 std::vector<glm::dvec3> merge_clusters(BspTree& tree, std::span<const LeafContact> contacts,
                                        const LeafClusterOptions& options);
 
