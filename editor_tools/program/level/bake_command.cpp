@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
+#include "hatchway/core/budget.hpp"
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/glob.hpp"
 #include "hatchway/core/plain_text.hpp"
@@ -31,6 +33,8 @@ BakeOptions options_of(const BakeArguments& arguments)
     BakeOptions options = bake_options(arguments.quality == "draft" ? BakeQuality::draft : BakeQuality::final);
     if (arguments.luxels_per_m) options.luxels_per_m = *arguments.luxels_per_m;
     if (arguments.samples) options.samples = *arguments.samples;
+    for (std::uint64_t* budget : {&options.budget, &options.ray_budget})
+        *budget = static_cast<std::uint64_t>(std::min(1e18, Budget::factor() * static_cast<double>(*budget)));
     return options;
 }
 

@@ -1,13 +1,16 @@
 #include "hatchway/world/light/bake.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <chrono>
 #include <glm/gtc/packing.hpp>
 
 #include "hatchway/core/hash.hpp"
+#include "hatchway/core/log.hpp"
 #include "hatchway/core/progress.hpp"
 #include "hatchway/world/light/fill.hpp"
 #include "hatchway/world/light/layout.hpp"
@@ -19,6 +22,8 @@ namespace {
 
 constexpr std::uint32_t kFirstPass = 8;  // samples
 constexpr std::size_t kBlock = 64;       // luxels
+constexpr std::size_t kProbed = 61;      // of so many luxels one shows what a sample costs
+constexpr std::uint32_t kProbes = 4;     // samples of it
 constexpr float kUnitsPerLux = 1e-3f;
 constexpr float kMostUnits = 65000.0f;  // of half floats
 
@@ -38,12 +43,15 @@ class Bake {
     {
         lightmap_.key = lightmap_key(scene, sources);
     }
-    Lightmap run(const BakeObserver& observer);
+    Lightmap run(std::uint64_t ray_budget, const BakeObserver& observer);
 
  private:
     void find_places();
     void gather(std::uint32_t first, std::uint32_t last, Progress& progress);
     void store(std::uint32_t samples);
+    LightEstimate sampled(std::size_t luxel, std::uint32_t sample) const;
+    double rays_of_sample() const;
+    void keep_budget(std::uint64_t ray_budget);
 
     const Scene& scene_;
     const LightSources& sources_;
@@ -71,17 +79,49 @@ void Bake::gather(std::uint32_t first, std::uint32_t last, Progress& progress)
         const std::size_t end = std::min(places_.size(), (block + 1) * kBlock);
         for (std::size_t i = block * kBlock; i < end; ++i) {
             if (places_[i].is_buried) continue;
-            const Luxel& luxel = points_.luxels()[i];
-            const std::uint32_t seed = mixed(luxel.place + 1) + seed_;
             glm::vec3 sum(0.0f);
-            for (std::uint32_t sample = first; sample < last; ++sample) {
-                const LightReceiver receiver = points_.part(luxel, places_[i], sample_2d(sample, 0, seed));
-                sum += sample_light(rays_, sources_, receiver, {sample, seed}).illuminance;
-            }
+            for (std::uint32_t sample = first; sample < last; ++sample) sum += sampled(i, sample).illuminance;
             sums_[i] += sum;
         }
         progress.advance(last - first);
     });
+}
+
+LightEstimate Bake::sampled(std::size_t i, std::uint32_t sample) const
+{
+    const Luxel& luxel = points_.luxels()[i];
+    const std::uint32_t seed = mixed(luxel.place + 1) + seed_;
+    const LightReceiver receiver = points_.part(luxel, places_[i], sample_2d(sample, 0, seed));
+    return sample_light(rays_, sources_, receiver, {sample, seed});
+}
+
+/// Of one sample of every luxel, about.
+double Bake::rays_of_sample() const
+{
+    const std::size_t probes = (places_.size() + kProbed - 1) / kProbed;
+    std::atomic<std::uint64_t> rays = 0;
+    tbb::parallel_for(std::size_t{0}, probes, [&](std::size_t probe) {
+        const std::size_t i = probe * kProbed;
+        if (places_[i].is_buried) return;
+        for (std::uint32_t sample = 0; sample < kProbes; ++sample) rays += sampled(i, sample).rays;
+    });
+    const auto samples = static_cast<double>(std::max<std::size_t>(probes, 1) * kProbes);
+    return static_cast<double>(rays) / samples * static_cast<double>(places_.size());
+}
+
+/// Fewer samples, if as many as were asked for would take more rays than the budget has.
+void Bake::keep_budget(std::uint64_t ray_budget)
+{
+    const double of_sample = rays_of_sample();
+    std::uint32_t samples = samples_;
+    while (samples > 1 && samples * of_sample > static_cast<double>(ray_budget)) samples /= 2;
+    if (samples == samples_) return;
+    log_warning(
+        fmt::format("Lightmap: {} samples of each luxel instead of {}, to keep the budget of rays; "
+                    "--budget-factor 2 doubles it, `--luxels-per-m` makes coarser luxels, "
+                    "`--nodes GLOB` bakes fewer nodes",
+                    samples, samples_));
+    samples_ = samples;
 }
 
 void Bake::store(std::uint32_t samples)
@@ -97,12 +137,13 @@ void Bake::store(std::uint32_t samples)
     }
 }
 
-Lightmap Bake::run(const BakeObserver& observer)
+Lightmap Bake::run(std::uint64_t ray_budget, const BakeObserver& observer)
 {
     auto start = std::chrono::steady_clock::now();
+    find_places();
+    keep_budget(ray_budget);
     const std::size_t blocks = (places_.size() + kBlock - 1) / kBlock;
     Progress progress("Baking light", blocks * samples_ + 1);
-    find_places();
     const auto buried = std::count_if(places_.begin(), places_.end(), [](const LuxelPlace& p) { return p.is_buried; });
     for (std::uint32_t done = 0; done < samples_;) {
         const std::uint32_t next = std::min(samples_, std::max(kFirstPass, 2 * done));
@@ -188,14 +229,15 @@ void add_materials(KeyHash& hash, const Scene& scene)
 
 BakeOptions bake_options(BakeQuality quality)
 {
-    if (quality == BakeQuality::draft) return {.luxels_per_m = 2.0, .samples = 32};
+    if (quality == BakeQuality::draft)
+        return {.luxels_per_m = 2.0, .samples = 32, .budget = 512ull << 10, .ray_budget = 100'000'000};
     return {};
 }
 
 Lightmap bake_lightmap(const Scene& scene, const LightSources& sources, const BakeOptions& options,
                        const BakeObserver& observer)
 {
-    return Bake(scene, sources, options).run(observer);
+    return Bake(scene, sources, options).run(options.ray_budget, observer);
 }
 
 std::uint64_t lightmap_key(const Scene& scene, const LightSources& sources)

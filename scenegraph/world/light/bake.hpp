@@ -9,15 +9,16 @@ namespace hw {
 
 struct BakeOptions {
     double luxels_per_m = 8.0;
-    std::uint32_t samples = 512;        ///< Of each luxel; rounded up to a power of two.
-    std::uint32_t seed = 0;             ///< Of all that is random: another one gives other noise.
-    std::uint64_t budget = 8ull << 20;  ///< Luxels.
-    std::vector<ObjectId> receivers;    ///< Objects that get baked light; empty: all. Others still cast and send light.
+    std::uint32_t samples = 512;                ///< Of each luxel; rounded up to a power of two.
+    std::uint32_t seed = 0;                     ///< Of all that is random: another one gives other noise.
+    std::uint64_t budget = 8ull << 20;          ///< Luxels.
+    std::uint64_t ray_budget = 20'000'000'000;  ///< Where it takes more, about, there are fewer samples.
+    std::vector<ObjectId> receivers;  ///< Objects that get baked light; empty: all. Others still cast and send light.
 };
 
 enum class BakeQuality : unsigned char { draft, final };
 
-/// draft: coarse and grainy, to see where light goes. final: what is shipped.
+/// draft: coarse and grainy, to see where light goes, within half a minute of one processor. final: what is shipped.
 BakeOptions bake_options(BakeQuality quality);
 
 struct BakeState {
@@ -32,7 +33,8 @@ struct BakeState {
 using BakeObserver = std::function<void(const BakeState&)>;
 
 /// Bakes the light of a scene's static, opaque or masked objects. Parallel; the result depends on the arguments alone,
-/// not on the number of threads. The key is lightmap_key(). Throws hw::Error if the budget is too small.
+/// not on the number of threads. Says so when a budget makes it coarser. The key is lightmap_key(). Throws hw::Error if
+/// the budget is too small.
 Lightmap bake_lightmap(const Scene& scene, const LightSources& sources, const BakeOptions& options,
                        const BakeObserver& observer = {});
 

@@ -226,7 +226,8 @@ Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t bu
         if (density < luxels_per_m)
             log_info("Lightmap: " + std::to_string(density) + " luxels per metre instead of " +
                      std::to_string(luxels_per_m) +
-                     ", to keep the budget; `hatchway bake --nodes GLOB` bakes fewer nodes, more finely");
+                     ", to keep the budget; --budget-factor 2 doubles it, `hatchway bake --nodes GLOB` bakes fewer "
+                     "nodes, more finely");
         lightmap.luxels.assign(static_cast<std::size_t>(lightmap.size.x) * lightmap.size.y, kDark);
         return lightmap;
     }

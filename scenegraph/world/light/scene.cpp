@@ -144,7 +144,7 @@ LightScene::LightScene(const Scene& scene, std::span<const Light> lights, std::s
     }
     if (!box.is_empty()) origin_world_ = box.centre();
     const double radius_m = box.is_empty() ? 1.0 : 0.5 * glm::length(box.size());
-    lamps_ = LampChoice(lights, 0.5 * radius_m);
+    lamps_ = LampChoice(lights, origin_world_, std::max(0.5 * radius_m, 1e-6));
     clearance_m_ = static_cast<float>(kClearanceShare * radius_m);
 
     rays_->device = rtcNewDevice(nullptr);

@@ -15,8 +15,9 @@ namespace {
 
 constexpr int kSureBounces = 2;  // after these a path goes on by chance
 constexpr int kMaxBounces = 64;
-constexpr std::size_t kAsked = LampChoice::kMostAsked;
+constexpr std::uint32_t kAsked = LampChoice::kMostAsked;
 constexpr std::uint32_t kRaysToMany = 8;  // shadow rays of a place where not every lamp gets one
+constexpr std::uint32_t kRaysOfStep = 3;  // along the path, to a lamp, to an emitter
 constexpr float kBeforeLight = 0.9999f;   // shadow rays end a little before what they aim at
 
 /// Numbers of the sequences of one sample: a path's step takes a block of its own.
@@ -27,6 +28,12 @@ glm::vec2 number(const LightSampleId& sample, int step, std::uint32_t dimension)
 {
     return sample_2d(sample.index, kFirstDimension + static_cast<std::uint32_t>(step) * count_per_step + dimension,
                      sample.seed);
+}
+
+/// One number of two, fine enough to choose among any number of lamps.
+double fine_share(const glm::vec2& numbers)
+{
+    return numbers.x + 0x1p-24 * numbers.y;
 }
 
 /// The estimate of one sample, with what every part of it needs.
@@ -42,12 +49,7 @@ class Path {
     glm::vec3 from_lamps(const LightReceiver& place) const;
     glm::vec3 from_lamp(const Light& light, const LightReceiver& place, const glm::vec2& on_lamp) const;
     glm::vec3 from_one_lamp(const LightReceiver& place, const glm::vec2& choice, const glm::vec2& on_lamp) const;
-    std::size_t asked_lamps() const { return scene_.lamps().asks_all() ? sources_.lights.size() : kAsked; }
-    LampChoice::Asked asked_lamp(std::size_t index, float share) const
-    {
-        const auto number = static_cast<std::uint32_t>(index);
-        return scene_.lamps().asks_all() ? LampChoice::Asked{number, 1.0f} : scene_.lamps().asked(number, share);
-    }
+    glm::vec3 from_chosen_lamp(const LightReceiver& place, double share, const glm::vec2& on_lamp) const;
     glm::vec3 from_emitters(const LightReceiver& place, int step) const;
     glm::vec3 from_sky(const glm::vec3& direction) const
     {
@@ -97,46 +99,52 @@ glm::vec3 Path::from_lamp(const Light& light, const LightReceiver& place, const 
     return scene_.is_blocked(from, way / length, end) ? glm::vec3(0.0f) : lux;
 }
 
-/// At the path's beginning: all lamps, or of many some, each choice with other numbers.
+/// At the path's beginning: all lamps, or of many some, each out of another part of what they may give.
 glm::vec3 Path::from_lamps(const LightReceiver& place) const
 {
-    const auto shifted = [&](std::uint32_t i, std::uint32_t dimension) {
-        return glm::fract(number(sample_, 0, dimension) + number({0, sample_.seed + i}, 0, dimension));
+    const auto on_lamp = [&](std::uint32_t i) {
+        return glm::fract(number(sample_, 0, lamp_point) + number({0, sample_.seed + i}, 0, lamp_point));
     };
     glm::vec3 sum(0.0f);
     if (scene_.lamps().asks_all()) {
         for (std::uint32_t i = 0; i < sources_.lights.size(); ++i)
-            sum += from_lamp(sources_.lights[i], place, shifted(i, lamp_point));
+            sum += from_lamp(sources_.lights[i], place, on_lamp(i));
         return sum;
     }
+    const double share = fine_share(number(sample_, 0, choice));
     for (std::uint32_t i = 0; i < kRaysToMany; ++i)
-        sum += from_one_lamp(place, shifted(i, choice), shifted(i, lamp_point));
+        sum += from_chosen_lamp(place, (i + share) / kRaysToMany, on_lamp(i));
     return sum / static_cast<float>(kRaysToMany);
 }
 
-/// One light of those asked, chosen by what it would give here: enough where the path comes only now and then. Where
-/// not all are asked, source: Talbot, Cline, Egbert. Importance Resampling for Global Illumination. EGSR 2005.
+glm::vec3 Path::from_chosen_lamp(const LightReceiver& place, double share, const glm::vec2& on_lamp) const
+{
+    const std::optional<LampChoice::Chosen> lamp = scene_.lamps().chosen(place.position, place.face_normal, share);
+    if (!lamp) return glm::vec3(0.0f);
+    return from_lamp(sources_.lights[lamp->light], place, on_lamp) / lamp->chance;
+}
+
+/// One lamp, enough where the path comes only now and then; of few, chosen by what it would give here.
 glm::vec3 Path::from_one_lamp(const LightReceiver& place, const glm::vec2& choice, const glm::vec2& on_lamp) const
 {
+    if (!scene_.lamps().asks_all()) return from_chosen_lamp(place, fine_share(choice), on_lamp);
+    const std::size_t count = sources_.lights.size();
     glm::vec3 to_light;
     float distance = 0.0f;
-    const auto gives = [&](const LampChoice::Asked& lamp) {
-        return lamp.stands_for * luminance_of(unshadowed(sources_.lights[lamp.light], place, to_light, distance));
-    };
     std::array<float, kAsked> own;
     float total = 0.0f;
-    for (std::size_t i = 0; i < asked_lamps(); ++i) total += own[i] = gives(asked_lamp(i, choice.y));
+    for (std::size_t i = 0; i < count; ++i)
+        total += own[i] = luminance_of(unshadowed(sources_.lights[i], place, to_light, distance));
     if (!(total > 0.0f)) return glm::vec3(0.0f);
     float left = choice.x * total;
     std::size_t chosen = 0;
-    for (std::size_t i = 0; i < asked_lamps(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         if (own[i] <= 0.0f) continue;
         chosen = i;
         left -= own[i];
         if (left < 0.0f) break;
     }
-    const LampChoice::Asked lamp = asked_lamp(chosen, choice.y);
-    return from_lamp(sources_.lights[lamp.light], place, on_lamp) * lamp.stands_for * total / own[chosen];
+    return from_lamp(sources_.lights[chosen], place, on_lamp) * total / own[chosen];
 }
 
 glm::vec3 Path::from_emitters(const LightReceiver& place, int step) const
@@ -171,10 +179,12 @@ glm::vec3 Path::from_emitters(const LightReceiver& place, int step) const
 LightEstimate Path::estimate(const LightReceiver& receiver) const
 {
     LightEstimate result;
+    result.rays = static_cast<std::uint32_t>(std::min<std::size_t>(sources_.lights.size(), kAsked));
     result.illuminance = from_lamps(receiver) + from_emitters(receiver, 0);
     glm::vec3 carried(1.0f);  // what illuminance at the path's end adds at its beginning
     LightReceiver place = receiver;
     for (int step = 0; step < kMaxBounces; ++step) {
+        result.rays += kRaysOfStep;
         const glm::vec3 direction = cosine_direction(place.shading_normal, number(sample_, step, direction_of_path));
         const float cosine = glm::dot(place.shading_normal, direction);
         if (glm::dot(place.face_normal, direction) <= 0.0f || cosine <= 0.0f) break;

@@ -28,6 +28,7 @@ struct LightReceiver {
 struct LightEstimate {
     glm::vec3 illuminance{0.0f};  ///< Lux.
     bool has_met_back = false;    ///< Its first ray met a side that is not drawn: the place may be inside of a solid.
+    std::uint32_t rays = 0;       ///< What it cost, at most.
 };
 
 struct LightSampleId {
@@ -36,7 +37,7 @@ struct LightSampleId {
 };
 
 /// One sample of the illuminance: every sun, point and spot light through one shadow ray to its surface, or, of more
-/// than LampChoice::kMostAsked, some that are chosen by what they would give here; emissive triangles by one point
+/// than LampChoice::kMostAsked, some that are chosen by what they may give here; emissive triangles by one point
 /// chosen by power and by the path itself, weighed against each other; sky and light sent back by matte surfaces along
 /// one path of cosine-weighted directions, ended at random when it carries little. Its mean over samples is the
 /// illuminance. Depends on the arguments alone. Source: Veach. Robust Monte Carlo Methods for Light Transport

@@ -268,6 +268,48 @@ TEST_F(endless, light_of_five_thousand_lamps)
     EXPECT_EQ(baked.exit_code, 0) << baked.err.substr(0, 2000);
 }
 
+TEST_F(endless, light_of_seven_thousand_spots)
+{
+    ModelBuilder builder;
+    Triangles floor, boxes;
+    for (int i = 0; i < 64 * 64; ++i) {
+        const glm::vec3 corner(i % 64 - 32, 0, i / 64 - 32), x(1, 0, 0), z(0, 0, 1);
+        add_triangle(floor, corner, corner + z, corner + x);
+        add_triangle(floor, corner + x, corner + z, corner + x + z);
+    }
+    Random random;
+    const auto place = [&](float height) {
+        return glm::vec3(64, 0, 64) * (random.point() - 0.5f) + glm::vec3(0, height, 0);
+    };
+    for (int i = 0; i < 12; ++i) add_box(boxes, place(0.5f), 0.5f);
+    for (const Triangles& triangles : {floor, boxes})
+        builder.push("meshes", {{"primitives", {{{"attributes", {{"POSITION", builder.add_positions(triangles)}}}}}}});
+    json nodes = {{{"mesh", 0}}, {{"mesh", 1}}};
+    for (int i = 0; i < 7000; ++i) {
+        const glm::vec3 at = place(3.0f);
+        nodes.push_back({{"translation", {at.x, at.y, at.z}},
+                         {"rotation", {-0.70710678, 0, 0, 0.70710678}},
+                         {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    }
+    builder.json["nodes"] = nodes;
+    builder.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"intensity", 20}, {"spot", {{"innerConeAngle", 0.3}, {"outerConeAngle", 0.7}}}}};
+    const ProgramResult baked = run({"bake", folder_.write("spots.glb", builder.glb()), "--quality", "draft"});
+    EXPECT_EQ(baked.exit_code, 0) << baked.err.substr(0, 2000);
+}
+
+TEST_F(endless, light_of_a_closed_white_room_of_a_kilometre)
+{
+    model(box(500.0f), {{{"mesh", 0}}}, {{"doubleSided", true}});
+    json level = {{"format", "hatchway-level/1"}, {"scene", "model.glb"}, {"lights", json::array()}};
+    for (int i = 0; i < 16; ++i)
+        level["lights"].push_back({{"type", "point"}, {"position", {8 * i, 0, 0}}, {"intensity_cd", 1000}});
+    const ProgramResult baked = run({"bake", folder_.write("room.level.json", level.dump()), "--quality", "draft"});
+    EXPECT_EQ(baked.exit_code, 0) << baked.err.substr(0, 2000);
+    EXPECT_NE(baked.err.find("samples of each luxel instead of 32"), std::string::npos) << baked.err.substr(0, 2000);
+}
+
 TEST_F(endless, polygons_that_go_to_and_fro)
 {
     constexpr int kCorners = 4096;

@@ -370,12 +370,16 @@ TEST(baked_light, of_many_lamps_is_that_of_their_parts)
     Scene scene = scene_of(grid_mesh(1, 6.0));
     add_box(scene, add_material(scene, 0.5f), {{2, 0, 2}, {3, 1, 3}});
     std::vector<Light> lamps;
-    for (std::uint32_t i = 0; i < 2 * LampChoice::kMostAsked; ++i) {
+    for (std::uint32_t i = 0; i < 128; ++i) {
         const glm::vec2 place = 6.0f * sample_2d(i, 0, 1);
         lamps.push_back(lamp_at({place.x, 0.5 + 0.02 * i, place.y}));
         lamps.back().intensity *= i % 8 == 0 ? 10.0f : 0.1f;
+        if (i % 3 == 0) lamps.back().range_m = 2.0f;
+        if (i % 2 == 0) continue;
+        lamps.back().type = LightType::spot;
+        lamps.back().direction_world = glm::normalize(glm::dvec3(0.01 * i - 0.6, -1.0, 0.3));
     }
-    lamps.push_back(sun_along({0.2, -1.0, 0.1}));
+    for (const double x : {0.2, -0.5, 4.0}) lamps.push_back(sun_along({x, -1.0, 0.1}));
     const auto baked = [&](std::size_t first, std::size_t end) {
         LightSources sources;
         sources.lights.assign(lamps.begin() + first, lamps.begin() + end);
@@ -632,6 +636,26 @@ TEST(baked_light, passes_are_shown_as_they_come_and_the_last_is_the_result)
     });
     EXPECT_EQ(samples, (std::vector<std::uint32_t>{8, 16}));
     EXPECT_EQ(last, result);
+}
+
+TEST(baked_light, takes_no_more_samples_than_its_budget_of_rays_holds)
+{
+    const LightCase& sun = light_case_named("sun");
+    const auto taken = [&](std::uint64_t rays) {
+        std::uint32_t samples = 0;
+        BakeOptions options = kQuick;
+        options.samples = 64;
+        options.ray_budget = rays;
+        bake_lightmap(sun.scene, sun.sources, options, [&](const BakeState& state) { samples = state.samples; });
+        return samples;
+    };
+    EXPECT_EQ(taken(0), 1u);
+    EXPECT_EQ(taken(BakeOptions{}.ray_budget), 64u);
+    std::uint32_t before = 1;
+    for (std::uint64_t rays = 1; rays < 1ull << 40; rays *= 2) {
+        EXPECT_TRUE(taken(rays) == before || taken(rays) == 2 * before) << rays;
+        before = taken(rays);
+    }
 }
 
 TEST(lightmap_key, changes_with_whatever_the_light_depends_on)
