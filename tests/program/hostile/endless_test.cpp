@@ -273,13 +273,13 @@ TEST_F(endless, light_of_seven_thousand_spots)
     ModelBuilder builder;
     Triangles floor, boxes;
     for (int i = 0; i < 64 * 64; ++i) {
-        const glm::vec3 corner(i % 64 - 32, 0, i / 64 - 32), x(1, 0, 0), z(0, 0, 1);
+        const glm::vec3 x(1.5f, 0, 0), z(0, 0, 1.5f), corner = (i % 64 - 32.0f) * x + (i / 64 - 32.0f) * z;
         add_triangle(floor, corner, corner + z, corner + x);
         add_triangle(floor, corner + x, corner + z, corner + x + z);
     }
     Random random;
     const auto place = [&](float height) {
-        return glm::vec3(64, 0, 64) * (random.point() - 0.5f) + glm::vec3(0, height, 0);
+        return glm::vec3(96, 0, 96) * (random.point() - 0.5f) + glm::vec3(0, height, 0);
     };
     for (int i = 0; i < 12; ++i) add_box(boxes, place(0.5f), 0.5f);
     for (const Triangles& triangles : {floor, boxes})
