@@ -76,7 +76,9 @@ class EdgeMap final : public hw::ImagePass {
         if (is_of_ids() && storage_ == Storage::lists) defines += "#define TRIANGLES_BY_STARS 1\n";
         find_ = programs.full_screen(file, defines);
         find_wide_ = programs.full_screen(file, defines + "#define TO_BE_WIDENED 1\n");
-        along_rows_ = programs.full_screen("widen.frag", "#define ALONG_ROWS 1\n");
+        if (is_ours()) settle_ = programs.full_screen("settle.frag");
+        const std::string settled = is_ours() ? "#define IS_SETTLED 1\n" : "";
+        along_rows_ = programs.full_screen("widen.frag", "#define ALONG_ROWS 1\n" + settled);
         along_columns_ = programs.full_screen("widen.frag");
     }
 
@@ -88,8 +90,9 @@ class EdgeMap final : public hw::ImagePass {
         if (!is_widened(px_scale)) return found(pass, find_, {made});
         const hw::TargetOutput bytes = of(hw::PixelFormat::rgba8, 0.0f), two_bytes = of(hw::PixelFormat::rg8, 0.5f);
         const hw::Images edges = found(pass, find_wide_, {bytes, two_bytes});
-        const hw::Images rows =
-            pass.filter({.outputs = {bytes, bytes}}, along_rows_, widening(edges[0], edges[0], edges[1], px_scale));
+        hw::Uniforms along_rows = widening(edges[0], edges[0], edges[1], px_scale);
+        if (is_ours()) along_rows.set("settled", settled(pass, edges));
+        const hw::Images rows = pass.filter({.outputs = {bytes, bytes}}, along_rows_, along_rows);
         return pass.filter({.outputs = {made, two_bytes}}, along_columns_,
                            widening(rows[0], rows[1], edges[1], px_scale));
     }
@@ -167,6 +170,14 @@ class EdgeMap final : public hw::ImagePass {
         return px_scale * reach;
     }
 
+    /// How far from the centres of their pixels profile edges are; the papers' operators do not know which side is
+    /// nearer.
+    hw::Image settled(hw::Pass& pass, const hw::Images& edges) const
+    {
+        return pass.filter({.outputs = {of(hw::PixelFormat::r8, 0.5f)}}, settle_,
+                           hw::Uniforms().set("edges", edges[0]).set("steps", edges[1]))[0];
+    }
+
     hw::Uniforms widening(hw::Image inner, hw::Image profile, hw::Image steps, float px_scale) const
     {
         return hw::Uniforms()
@@ -184,7 +195,7 @@ class EdgeMap final : public hw::ImagePass {
     int radius_px_ = 1;
     Storage storage_ = Storage::vertices;
     float small_px_ = 4.0f;
-    hw::Program find_, find_wide_, part_, along_rows_, along_columns_;
+    hw::Program find_, find_wide_, settle_, part_, along_rows_, along_columns_;
 };
 
 }  // namespace

@@ -7,9 +7,12 @@ uniform sampler2D inner_edges;    // along rows: as they were found; then inner_
 uniform sampler2D profile_edges;  // along rows: the same image; then profile_found
 uniform sampler2D steps;
 uniform vec3 reach_px;
+#ifdef IS_SETTLED
+uniform sampler2D settled;  // along rows: how far from the pixel's centre its border is
+#endif
 
 #ifdef ALONG_ROWS
-layout(location = 0) out vec4 inner_found;    // strength, at_px, pixels along the row / 255
+layout(location = 0) out vec4 inner_found;    // strength, at_px, pixels along the row / 255; at_px of the profile edge
 layout(location = 1) out vec4 profile_found;  // strength, (pixels along the row + 128) / 255, 1 where it lies beyond, border
 const ivec2 kWay = ivec2(1, 0);
 #else
@@ -20,7 +23,7 @@ const ivec2 kWay = ivec2(0, 1);
 
 struct Edge {
     float strength;
-    float at_px;      // of inner edges
+    float at_px;      // from the centre of its pixel, towards what lies behind
     vec2 away_px;
     bool is_beyond;  // of profile edges
     float border;    // of profile edges
@@ -30,7 +33,8 @@ float inner_cover(Edge e) { return e.strength * clamp(reach_px.x + 0.5 - length(
 
 float profile_cover(Edge e)
 {
-    return e.strength * clamp((e.is_beyond ? reach_px.z + 1.0 : reach_px.y) - length(e.away_px), 0.0, 1.0);
+    float beyond_px = length(e.away_px) - e.at_px, within_px = length(e.away_px) + e.at_px;
+    return e.strength * clamp(0.5 + (e.is_beyond ? reach_px.z - beyond_px : reach_px.y - within_px), 0.0, 1.0);
 }
 
 Edge inner_at(ivec2 place, int along)
@@ -47,9 +51,13 @@ Edge profile_at(ivec2 place, int along)
 {
     vec4 e = texelFetch(profile_edges, place, 0);
 #ifdef ALONG_ROWS
-    return Edge(e.b, 0.0, vec2(float(along), 0.0), false, e.a);
+    float at_px = 0.5;
+#ifdef IS_SETTLED
+    if (e.b > 0.0) at_px = texelFetch(settled, place, 0).r;
+#endif
+    return Edge(e.b, at_px, vec2(float(along), 0.0), false, e.a);
 #else
-    return Edge(e.r, 0.0, vec2(floor(255.0 * e.g + 0.5) - 128.0, float(along)), e.b > 0.5, e.a);
+    return Edge(e.r, texelFetch(inner_edges, place, 0).a, vec2(floor(255.0 * e.g + 0.5) - 128.0, float(along)), e.b > 0.5, e.a);
 #endif
 }
 
@@ -85,7 +93,7 @@ void main()
         }
     }
 #ifdef ALONG_ROWS
-    inner_found = vec4(inner.strength, inner.at_px, abs(inner.away_px.x) / 255.0, 1.0);
+    inner_found = vec4(inner.strength, inner.at_px, abs(inner.away_px.x) / 255.0, profile.at_px);
     profile_found = vec4(profile.strength, (profile.away_px.x + 128.0) / 255.0, profile.is_beyond ? 1.0 : 0.0, profile.border);
 #else
     float covered = profile_cover(profile);
