@@ -485,6 +485,117 @@ def dungeon(studio, model):
     return framed(studio.render(level, "--eye", "20.5,3.4,9.5", "--target", "14,0.2,1", "--fov-deg", "58", size="1000x640"))
 
 
+# ---- Edge-Enhancement, 2003, and ID-Based Rendering of Silhouettes, 2011 -----------------------------------------------
+
+def one_locomotive(style, **params):
+    """The locomotive of styles.level.json alone, in one style; its camera looks at one of eight, so it is drawn larger."""
+    level = level_of("styles")
+    level["styles"] = {"only": {"plugin": style, **params}}
+    level["assign"] = [{"nodes": "*", "style": "only"}, {"nodes": "Locomotive_[2-8]", "visible": False}]
+    return level
+
+
+LOCOMOTIVE = ("--eye", "0.9,1.25,2.6", "--target", "-0.83,0.39,0.52", "--fov-deg", "9.5")
+
+
+def image_of(studio, level, key, *camera, size):
+    return studio.render(level, *camera, "--show-image", key, size=size)
+
+
+def channel(picture, number):
+    return picture[0], picture[1], [bytearray(value for i in range(number, len(row), 3) for value in (row[i],) * 3) for row in picture[2]]
+
+
+def darkest(picture):
+    """Both kinds of edges in one gray."""
+    return picture[0], picture[1], [bytearray(value for i in range(0, len(row), 3) for value in (min(row[i], row[i + 1]),) * 3) for row in picture[2]]
+
+
+def figure_2003_1(studio):
+    """Profiles wide and dark, creases thin and red."""
+    lines = {"profile_width_px": 2.6, "inner_width_px": 1.2, "inner_colour": "#c03028", "warm_colour": "#f4f1ea", "cool_colour": "#d5d9e2",
+             "highlight": 0, "cool_from_material": 0, "warm_from_material": 0}
+    return framed(studio.render(one_locomotive("technical", **lines), *LOCOMOTIVE, size="800x520"))
+
+
+def figure_2003_4(studio):
+    """Left what each of the three passes of C1 adds to, from above; right the edge map."""
+    level, key = one_locomotive("technical", lines_from="none"), "edge_map operator=c1_three_passes format=rgba8 normal=geometric"
+
+    def after(passes):
+        return channel(image_of(studio, level, f"{key} passes={passes}", *LOCOMOTIVE, size="300x194"), 1)
+    large = darkest(image_of(studio, level, key, *LOCOMOTIVE, size="932x598"))
+    return beside([below([framed(after(1)), framed(after(2)), framed(after(3))]), framed(large)])
+
+
+def figure_2003_5(studio):
+    """Edges of depth, above by C1, below by the diagonal operator, each with a detail."""
+    level, rows = one_locomotive("technical", lines_from="none"), []
+    for operator in ("c1", "diagonal"):
+        whole = channel(image_of(studio, level, f"edge_map operator={operator} format=rgba8 normal=geometric", *LOCOMOTIVE, size="640x400"), 1)
+        rows.append(beside([framed(whole), framed(enlarged(part(whole, 330, 90, 100, 100), 4))]))
+    return below(rows)
+
+
+STATUE = ("--camera", "statue")
+
+
+def figure_2003_6(studio):
+    """Left edges by normals and by depth, right the statue, plainly shaded, with both."""
+    level, key = hall_in("technical", lines_from="none"), "edge_map operator=diagonal format=rgba8 normal=geometric"
+    small = image_of(studio, level, key, *STATUE, size="250x336")
+    plain = hall_in("technical", warm_colour="#ffffff", cool_colour="#8d8d92", warm_from_material=0, cool_from_material=0, highlight=0,
+                    inner_colour="#120f0f", inner_width_px=1)
+    return beside([below([framed(channel(small, 0)), framed(channel(small, 1))]), framed(studio.render(plain, *STATUE, size="506x682"))])
+
+
+def figure_2003_7(studio):
+    """The lathe: white creases and black profiles; then other colours."""
+    pictures = []
+    for params in ({}, {"inner_colour": "#f7d774", "profile_colour": "#7a1f1f"}):
+        level = level_of("workshop")
+        level["styles"]["machine"].update(params)
+        level["assign"] += [{"nodes": "Room", "visible": False}, {"nodes": "Gears", "visible": False}]
+        camera = ("--eye", "-0.75,1.55,0.35", "--target", "0.3,0.78,-1.75", "--fov-deg", "46")
+        pictures.append(framed(studio.render(level, *camera, size="600x440")))
+    return beside(pictures)
+
+
+def figure_2003_8(studio):
+    """Halftoned strokes and the edge map on a statue. The paper's mirror is missing."""
+    strokes = hall_in("halftone", screen="strokes", lines_from="edge_map", ink_colour="#2a2828", white_from=0.9)
+    return framed(studio.render(strokes, *STATUE, size="560x740"))
+
+
+def figure_2003_9(studio):
+    """Left steps between bands as they are, right smoothed by the neighbours; below a detail of each."""
+    columns = []
+    for smoothing in ("none", "map"):
+        level = level_of("cartoon")
+        for style in level["styles"].values():
+            if "plugin" in style:
+                style["smoothing"] = smoothing
+        whole = studio.render(level, "--eye", "-1.1,1.5,4.2", "--target", "0,0.98,0", "--fov-deg", "33", "--samples", "1", size="480x560")
+        columns.append(below([framed(whole), framed(enlarged(part(whole, 210, 340, 120, 75), 4))]))
+    return beside(columns)
+
+
+def outlines(studio, model, *camera, size="900x580"):
+    name = os.path.basename(model)
+    shutil.copy(model, studio.path("models", name))
+    level = {"format": "hatchway-level/1", "scene": f"../models/{name}", "styles": {"ids": {"plugin": "id_outline"}},
+             "assign": [{"nodes": "*", "style": "ids"}]}
+    return framed(studio.render(level, *camera, size=size))
+
+
+def figure_2011_7(studio):
+    """The paper's kitchen is not to be had: the machine shop."""
+    level = level_of("workshop")
+    level["styles"] = {"ids": {"plugin": "id_outline", "profile_width_px": 1.6}}
+    level["assign"] = [{"nodes": "*", "style": "ids"}]
+    return framed(studio.render(level, "--camera", "entrance", size="900x580"))
+
+
 # ---- Contact sheets ---------------------------------------------------------------------------------------------------
 
 SHEET_SIZE = "296x200"
@@ -532,7 +643,9 @@ def contact_sheets(studio):
 
 
 OURS = {"4": figure_4, "5": figure_5, "7": figure_7, "8": figure_8, "9": figure_9, "9_plane": figure_9_plane, "11": figure_11,
-        "12": figure_12, "13": figure_13, "14": figure_14, "15": figure_15}
+        "12": figure_12, "13": figure_13, "14": figure_14, "15": figure_15, "2003_1": figure_2003_1, "2003_4": figure_2003_4,
+        "2003_5": figure_2003_5, "2003_6": figure_2003_6, "2003_7": figure_2003_7, "2003_8": figure_2003_8, "2003_9": figure_2003_9,
+        "2011_7": figure_2011_7}
 
 
 def readme_pictures(studio):
@@ -565,13 +678,15 @@ def eight_styles(studio):
 
 
 def pages_of_lines(studio):
-    """The hall in the styles whose lines come from images."""
-    for style in ("technical", "cartoon", "halftone", "id_outline"):
-        picture = studio.render(hall_in(style), "--camera", "entrance", size="960x600")
+    """Places in the styles whose lines come from images."""
+    for style, level, camera in (("technical", level_of("workshop"), "entrance"), ("cartoon", level_of("cartoon"), "snowman"),
+                                 ("halftone", hall_in("halftone"), "entrance"), ("id_outline", hall_in("id_outline"), "entrance")):
+        picture = studio.render(level, "--camera", camera, size="960x600")
         write_png(os.path.join(ROOT, "npr_plugins", style, f"{style}.png"), picture)
 
 
-MODELS = {"teapot": teapot, "dungeon": dungeon}
+MODELS = {"teapot": teapot, "dungeon": dungeon, "2011_3": outlines, "2011_4": outlines, "2011_5": outlines,
+          "2011_6": lambda studio, model: outlines(studio, model, "--eye", "26,17,30", "--target", "8,-4,8", "--fov-deg", "30")}
 
 
 def main():
@@ -591,7 +706,8 @@ def main():
             elif name in MODELS:
                 if not arguments.model:
                     parser.error(f"{name} needs --model FILE.glb")
-                write_png(os.path.join(ROOT, "docs", "pictures", f"{name}.png"), MODELS[name](studio, arguments.model))
+                file = os.path.join(FIGURES, f"figure_{name}.png") if name[0].isdigit() else os.path.join(ROOT, "docs", "pictures", f"{name}.png")
+                write_png(file, MODELS[name](studio, arguments.model))
             else:
                 write_png(os.path.join(FIGURES, f"figure_{name}.png"), OURS[name](studio))
         finally:

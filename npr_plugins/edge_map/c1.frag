@@ -4,15 +4,16 @@
 
 #ifdef IN_THREE_PASSES
 uniform sampler2D sum_before;  // G
+uniform int part;
 #endif
 
 void main()
 {
 #ifdef IN_THREE_PASSES
-    float before = texture(sum_before, hw_v_uv).g;
+    float sum = texture(sum_before, hw_v_uv).g + depth_part(part);
 #else
-    float before = depth_part(0) + depth_part(1);
+    float sum = depth_part(0) + depth_part(1) + depth_part(2);
 #endif
     float i_n = normals_agree(neighbour(-1, 1), neighbour(1, 1), neighbour(-1, -1), neighbour(1, -1));
-    leave_intensities(i_n, 1.0 - clamp(before + depth_part(2), 0.0, 1.0));
+    leave_intensities(i_n, 1.0 - clamp(sum, 0.0, 1.0));
 }

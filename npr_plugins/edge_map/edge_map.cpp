@@ -45,6 +45,8 @@ class EdgeMap final : public hw::ImagePass {
                       "between triangles lower than small_px: larger ones are edges."},
                      gap_, 1e-5f, 1.0f);
         visitor.whole({"radius_px", "Of those of 2003: distance of the compared pixels."}, radius_px_, 1, 8);
+        visitor.whole({"passes", "Of c1_three_passes: after how many it stops, to look at what they add up to."},
+                      passes_, 1, 3);
         visitor.choice(
             {"storage", "Of ids: whether corners of triangles are compared, or lists of neighbours read.", rebuild},
             storage_, kStorages);
@@ -132,10 +134,11 @@ class EdgeMap final : public hw::ImagePass {
                                           .set("reach_px", reach_px(pass.view().px_scale));
         if (operator_ != Operator::c1_three_passes) return pass.filter({.outputs = outputs}, find, uniforms);
         hw::Image sum;
-        for (int part = 0; part < 2; ++part)
+        for (int part = 0; part + 1 < passes_; ++part)
             sum = pass.filter({.outputs = {of(hw::PixelFormat::rg8, 0.0f)}}, part_,
                               hw::Uniforms(uniforms).set("part", part).set("sum_before", sum))[0];
-        return pass.filter({.outputs = outputs}, find, hw::Uniforms(uniforms).set("sum_before", sum));
+        return pass.filter({.outputs = outputs}, find,
+                           hw::Uniforms(uniforms).set("part", passes_ - 1).set("sum_before", sum));
     }
 
     hw::Uniforms of_ids(hw::Pass& pass) const
@@ -192,7 +195,7 @@ class EdgeMap final : public hw::ImagePass {
     Normal normal_ = Normal::face;
     float width_px_ = 1.0f, inner_width_px_ = 1.0f, halo_px_ = 0.0f;
     float crease_rad_ = glm::radians(40.0f), gap_ = 0.01f;
-    int radius_px_ = 1;
+    int radius_px_ = 1, passes_ = 3;
     Storage storage_ = Storage::vertices;
     float small_px_ = 4.0f;
     hw::Program find_, find_wide_, settle_, part_, along_rows_, along_columns_;

@@ -126,7 +126,7 @@ TEST_F(edge_operators, c1_is_the_papers_sum_in_one_pass_and_in_three)
         for (int i = 0; i < 2; ++i)
             sum = pass.filter({.outputs = {{.format = PixelFormat::rg8}}}, part,
                               Uniforms(uniforms).set("part", i).set("sum_before", sum))[0];
-        return pass.filter({}, find, Uniforms(uniforms).set("sum_before", sum))[0];
+        return pass.filter({}, find, Uniforms(uniforms).set("part", 2).set("sum_before", sum))[0];
     };
     defines = "#define IN_THREE_PASSES 1\n";
     const glm::ivec2 thrice = at(edges("c1.frag", patch, of_2003()), kX);
