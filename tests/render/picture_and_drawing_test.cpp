@@ -12,6 +12,7 @@
 #include "hatchway/render/view/line_camera.hpp"
 #include "measure/lines/line_error.hpp"
 #include "tests/render/test_scenes.hpp"
+#include "tests/shared_data.hpp"
 
 namespace hw::test {
 namespace {
@@ -235,7 +236,7 @@ TEST_F(picture_and_drawing, of_kit_pieces_side_by_side_have_the_same_ink)
 TEST_F(picture_and_drawing, of_the_dungeon_have_the_same_ink)
 {
     const std::filesystem::path file = HATCHWAY_SOURCE_DIR "/../shared/data/scenes/dungeon_kaykit_9x7.glb";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+    HATCHWAY_NEEDS_DATA(std::filesystem::exists(file), file);
     open(file);
     expect_alike("dungeon", {{2, 1.7, 2}, {8, 1.7, 6}, 60.0});
 }

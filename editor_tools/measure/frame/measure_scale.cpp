@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <memory>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/plain_text.hpp"
@@ -60,7 +61,7 @@ struct Row {
     double open_s = 0.0;        ///< First time: import, compile, upload.
     double compile_s = 0.0;     ///< Of it, the visibility alone.
     double open_again_s = 0.0;  ///< With the compiled level at hand.
-    double heap_mib = 0.0;      ///< Allocated and not freed with the level open and drawn, more than before.
+    double heap_mib = 0.0;      ///< Of the level, open and drawn: what closing it frees.
     int clusters = 0;
     std::uint64_t shortfalls = 0;  ///< Budgets of the compiler that ran out.
     double frame_ms = 0.0;         ///< Medians.
@@ -126,7 +127,6 @@ Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::p
     const fs::path file = folder / fmt::format("rooms_{}.glb", rooms);
     Row row;
     row.level = measure::write_scale_level(file, rooms);
-    const double before_mib = heap_mib();
     const StageOptions options{
         .file = file, .style_overrides = {"*=" + arguments.style}, .cache = CompiledCache{folder}};
     {
@@ -139,10 +139,12 @@ Row measure_rooms(Context& context, const ScaleArguments& arguments, const fs::p
         row.shortfalls = stage.visibility()->stats.shortfalls.size();
     }
     const auto start = Clock::now();
-    Stage stage(context, options);
+    auto stage = std::make_unique<Stage>(context, options);
     row.open_again_s = seconds_since(start);
-    draw_frames(stage, arguments, parse_size(arguments.size), row);
-    row.heap_mib = heap_mib() - before_mib;
+    draw_frames(*stage, arguments, parse_size(arguments.size), row);
+    const double open_mib = heap_mib();
+    stage.reset();
+    row.heap_mib = open_mib - heap_mib();  // what closing it gives back: what went before takes no part
     return row;
 }
 
