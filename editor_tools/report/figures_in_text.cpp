@@ -14,7 +14,7 @@ namespace {
 using Row = std::map<std::string, JsonCell>;
 
 const std::regex kFigure(
-    R"re(<!--@(\w+)(?:\.(\w+))?((?: [^:>]*)?): (max )?(\w[\w.]*)(?: x([\d.]+))? (\.\d+f)-->[^<]*<!--@-->)re");
+    R"re(<!--@(\w+)(?:\.(\w+))?((?: [^:>]*)?): (max |min )?(\w[\w.]*)(?: x([\d.]+))? (\.\d+f)-->[^<]*<!--@-->)re");
 
 /// The texts that a row must have, from "file=hall.level.json effort=full". A text may hold blanks.
 std::map<std::string, std::string> conditions_in(const std::string& text)
@@ -42,19 +42,24 @@ const JsonCell* figure_in(const Row& row, const std::string& column)
     return is_figure ? &cell->second : nullptr;
 }
 
-/// Of the first row that has the texts, or the largest of all that have them; null where there is none.
+/// Which of the rows that have the texts: the first, or the one with the most or the least.
+enum class Choice { first, most, least };
+
+/// Null where there is none.
 const JsonCell* figure_of(const JsonTable& table, const std::map<std::string, std::string>& conditions,
-                          const std::string& column, bool is_largest)
+                          const std::string& column, Choice choice)
 {
-    if (conditions.empty() && !is_largest) return figure_in(table.facts, column);
+    if (conditions.empty() && choice == Choice::first) return figure_in(table.facts, column);
     const JsonCell* found = nullptr;
     for (const Row& row : table.rows) {
         if (!has_texts(row, conditions)) continue;
         const JsonCell* figure = figure_in(row, column);
-        if (!is_largest) return figure;
+        if (choice == Choice::first) return figure;
         const double* number = figure == nullptr ? nullptr : std::get_if<double>(figure);
-        const double* largest = found == nullptr ? nullptr : std::get_if<double>(found);
-        if (found == nullptr || (number != nullptr && (largest == nullptr || *number > *largest))) found = figure;
+        const double* best = found == nullptr ? nullptr : std::get_if<double>(found);
+        const bool is_better =
+            number != nullptr && (best == nullptr || (choice == Choice::most ? *number > *best : *number < *best));
+        if (found == nullptr || is_better) found = figure;
     }
     return found;
 }
@@ -78,7 +83,8 @@ std::string fill_figures(const std::string& text, const std::string& page, const
         const std::string rows = figure[2].matched ? figure[2].str() : "rows";
         const std::string key = figure[1].str() + '.' + rows;
         if (!tables.contains(key)) tables[key] = read_json_table(report / (figure[1].str() + ".json"), rows);
-        const JsonCell* cell = figure_of(tables.at(key), conditions_in(figure[3]), figure[5], figure[4].matched);
+        const Choice choice = !figure[4].matched ? Choice::first : figure[4] == "max " ? Choice::most : Choice::least;
+        const JsonCell* cell = figure_of(tables.at(key), conditions_in(figure[3]), figure[5], choice);
         if (cell == nullptr) throw Error({.what = "no such figure: " + place.substr(5), .file = page});
         const double factor = figure[6].matched ? std::stod(figure[6]) : 1.0;
         filled.append(text, done, static_cast<std::size_t>(figure.position()) - done);

@@ -7,11 +7,11 @@ namespace hw {
 
 /// Writes measured figures into a Markdown page, so that nobody types them. A figure stands between two comments:
 ///
-///     <!--@NAME COLUMN=TEXT COLUMN=TEXT: [max] COLUMN [xFACTOR] FORMAT-->figure<!--@-->
+///     <!--@NAME COLUMN=TEXT COLUMN=TEXT: [max|min] COLUMN [xFACTOR] FORMAT-->figure<!--@-->
 ///
 /// NAME.json in `report` is a result as `hatchway measure ... --json` writes it; "NAME.PART" takes the rows of its
 /// array PART instead of "rows". The row is the first whose columns have these texts; without any, the figure is one of
-/// the plain members. With "max" it is the largest of that column in all rows that have the texts. FACTOR multiplies
+/// the plain members. With "max" or "min" it is the largest or the smallest of that column in all rows that have the texts. FACTOR multiplies
 /// it, FORMAT is that of a number, such as ".2f".
 ///
 /// Where the result has null there, since nothing was measured, the figure is a dash.

@@ -21,7 +21,7 @@ bool are_alike(const Camera& a, const Camera& b)
 {
     const double most = kRounding * (glm::length(b.eye_world) + glm::distance(b.eye_world, b.target_world));
     return glm::distance(a.eye_world, b.eye_world) <= most && glm::distance(a.target_world, b.target_world) <= most &&
-           a.fov_deg == b.fov_deg && a.orthographic_height_m == b.orthographic_height_m;
+           a.fov_deg == b.fov_deg && a.orthographic_height_m == b.orthographic_height_m && a.roll_deg == b.roll_deg;
 }
 
 }  // namespace hw

@@ -91,6 +91,7 @@ struct Camera {
     double fov_deg = 60.0;  ///< Vertical.
     /// A parallel projection so high, metres; then the angle says nothing. What is behind the eye is not seen.
     std::optional<double> orthographic_height_m;
+    double roll_deg = 0.0;  ///< About the line of sight: see picture_up().
 };
 
 /// Index into Scene::objects.

@@ -265,17 +265,17 @@ std::string text_of(const fs::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Sources that nobody includes by name: a program's main(), a command that a list names, what makes a plugin.
 /// Types that a header defines in its outermost namespace: they begin a line.
 std::vector<std::string> types_of(const std::string& text)
 {
-    static const std::regex kType(R"((?:^|\n)(?:struct|class|enum class) (\w+)[^;\n]*\{)");
+    static const std::regex type(R"((?:^|\n)(?:struct|class|enum class) (\w+)[^;\n]*\{)");
     std::vector<std::string> types;
-    for (std::sregex_iterator found(text.begin(), text.end(), kType), end; found != end; ++found)
+    for (std::sregex_iterator found(text.begin(), text.end(), type), end; found != end; ++found)
         types.push_back((*found)[1]);
     return types;
 }
 
+/// Sources that nobody includes by name: a program's main(), a command that a list names, what makes a plugin.
 bool is_entry_point(const fs::path& source)
 {
     if (source.filename() == "main.cpp") return true;

@@ -90,6 +90,16 @@ TEST(depth_range_of_a_view, holds_what_is_far_away_also_in_floats)
     }
 }
 
+TEST(depth_range_of_a_view, far_from_the_origin_misses_nothing_that_is_shown)
+{
+    for (const glm::dvec3& origin : {glm::dvec3(0.0), glm::dvec3(4194304, 0, -2097152), glm::dvec3(-12958095, 0, 0)}) {
+        const Box boxes{origin + glm::dvec3(-2, 0, -2), origin + glm::dvec3(2, 1.5, 2)};
+        const CameraPlace camera{origin + glm::dvec3(7, 4, 9), origin + glm::dvec3(0, 1, 0), 60.0, 9.0};
+        const View view = camera_view(camera, kSize, std::span(&boxes, 1));
+        EXPECT_FALSE(is_beyond(view, boxes)) << origin.x;
+    }
+}
+
 TEST(depth_range_of_a_view, of_a_plan_is_fine_whatever_lies_beside_or_far_below_it)
 {
     const glm::vec2 alone = depth_range(camera_view(kPlan, kSize, kHouse));

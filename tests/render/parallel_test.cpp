@@ -1,4 +1,4 @@
-// Parallel projections, and scenes far from the origin, on the device.
+// Parallel projections, cameras turned about their line of sight, and scenes far from the origin, on the device.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,6 +21,8 @@ class parallel_view : public RendererTest {
     }
     TestStyle style_{glm::vec3(0.0f)};
 };
+
+class turned_view : public parallel_view {};
 
 /// Columns and rows that a picture has dark pixels in.
 glm::ivec2 dark_extent(const Pixels& pixels)
@@ -54,6 +56,29 @@ TEST_F(parallel_view, what_is_behind_the_eye_is_not_seen)
     load(style_);
     EXPECT_EQ(count_dark(seen({{0, 0, 0}, {0, 0, -1}, 60.0, 6.0})), 0);
     EXPECT_GT(count_dark(seen({{0, 0, 6}, {0, 0, 5}, 60.0, 6.0})), 1000);
+}
+
+TEST_F(turned_view, is_the_upright_one_turned)
+{
+    add(box_mesh({2.0f, 1.0f, 1.0f}), {0.25, 0.5, -3.0});
+    load(style_);
+    for (const glm::dvec3& target : {glm::dvec3(0, 0, -1), glm::dvec3(0.2, 0.1, -1)}) {
+        const auto square = [&](double roll_deg) {
+            return draw(camera_view({{0, 0, 0}, target, 60.0, {}, roll_deg}, {240, 240}, scene_.bounds_world),
+                        {.samples = 1});
+        };
+        // Counter-clockwise goes the camera, clockwise what it shows: what was to the right is below.
+        const Pixels upright = square(0.0), left = square(90.0), over = square(180.0);
+        int unlike = 0;
+        for (int y = 0; y < 240; ++y)
+            for (int x = 0; x < 240; ++x) {
+                const auto at = [](const Pixels& p, int u, int v) { return p.bytes[3 * (240 * v + u)] > 100; };
+                unlike += at(upright, x, y) != at(left, 239 - y, x);
+                unlike += at(upright, x, y) != at(over, 239 - x, 239 - y);
+            }
+        EXPECT_GT(count_dark(upright), 2000);
+        EXPECT_LE(unlike, 20) << "edges of faces may fall a pixel beside";
+    }
 }
 
 TEST_F(parallel_view, silhouettes_go_by_the_direction_alone)

@@ -222,6 +222,8 @@ TEST_F(picture_and_drawing, of_boxes_that_go_through_each_other_have_the_same_in
     add(box_mesh({1.0f, 3.0f, 2.4f}), {0.4, 0.9, 0.3});
     add(sphere_mesh(0.9f, 12), {-1.2, 0.5, 0.6});
     expect_alike("boxes", {{2.6, 2.4, 5.0}, {0, 0.7, 0}, 50.0}, kFound, kApart);
+    expect_alike("boxes_turned", {{2.6, 2.4, 5.0}, {0, 0.7, 0}, 50.0, {}, 33.0}, kFound, kApart);
+    expect_alike("boxes_from_above", {{0.1, 7.0, 0.1}, {0.1, 0, 0.1}, 50.0, {}, -70.0}, kFound, kApart);
 }
 
 TEST_F(picture_and_drawing, of_kit_pieces_side_by_side_have_the_same_ink)

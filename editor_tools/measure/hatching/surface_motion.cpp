@@ -21,6 +21,8 @@ struct Sight {
     {
         forward = glm::normalize(camera.target_world - camera.eye_world);
         right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
+        const double roll = glm::radians(camera.roll_deg);
+        right = std::cos(roll) * right + std::sin(roll) * glm::cross(right, forward);
         up = glm::cross(right, forward);
         focal_px = 0.5 * size.y / std::tan(0.5 * glm::radians(camera.fov_deg));
     }

@@ -13,6 +13,8 @@ Pinhole::Pinhole(const JudgeCamera& camera) : size_px(camera.size_px), near_m(ca
 {
     forward = glm::normalize(camera.target_world - camera.eye_world);
     right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
+    const double c = std::cos(camera.roll_rad), s = std::sin(camera.roll_rad);
+    right = c * right + s * glm::cross(right, forward);
     up = glm::cross(right, forward);
     focal_px = 0.5 * size_px.y / std::tan(0.5 * camera.fov_rad);
 }

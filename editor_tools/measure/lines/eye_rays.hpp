@@ -12,13 +12,14 @@
 
 namespace hw {
 
-/// Where the judge looks from: a pinhole with +y up.
+/// Where the judge looks from: a pinhole, +y up before it is turned.
 struct JudgeCamera {
     glm::dvec3 eye_world{0.0};
     glm::dvec3 target_world{0.0, 0.0, -1.0};
     double fov_rad = 1.0;  ///< Vertical.
     glm::ivec2 size_px{1280, 720};
     double near_m = 0.01;
+    double roll_rad = 0.0;  ///< Counter-clockwise as it looks.
 };
 
 /// A judge's camera as a projection. Ways go from the eye.

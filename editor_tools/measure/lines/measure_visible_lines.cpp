@@ -80,7 +80,8 @@ void judge_view(ExactLines& lines, const RayJudge& judge, const CameraPlace& cam
     for (const VectorLine& line : lines.drawn(camera, size))
         if (line.width_px >= kFaintestPx) drawn.push_back(judged(line.points_px, line.is_closed, false));
     const LineCamera place = line_camera(camera, camera_view(camera, size, lines.scene().bounds_world));
-    const JudgeCamera judge_camera{place.eye_world, place.target_world, place.fov_rad, place.size_px, place.near_m};
+    const JudgeCamera judge_camera{place.eye_world, place.target_world, place.fov_rad,
+                                   place.size_px,   place.near_m,       place.roll_rad};
     std::vector<std::uint8_t> pixels;
     row.verdict.add(judge.judge(judge_camera, found, drawn, picture.empty() ? nullptr : &pixels));
     if (!picture.empty()) write_judged(picture, size, pixels);

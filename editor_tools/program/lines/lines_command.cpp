@@ -111,6 +111,7 @@ JsonValue lines_json(const std::vector<VisibleLine>& found, const LevelLines& le
         json.set("orthographic_height_m", *camera.orthographic_height_m);
     else
         json.set("vfov_deg", camera.fov_rad / kRadians);
+    if (camera.roll_rad != 0.0) json.set("roll_deg", camera.roll_rad / kRadians);
     json.set("eye", exact_vector(camera.eye_world)).set("target", exact_vector(camera.target_world));
     json.set("prepare_ms", times.prepare_ms).set("find_ms", times.find_ms);
     return json.set("mode", mode).set("lines", std::move(lines));
@@ -164,7 +165,7 @@ void add_picture_arguments(CommandLine command, LinesArguments& arguments)
     command.add_option("--camera", arguments.shot.camera, "A camera of the level or the model").option_text("NAME");
     command.add_option("--eye", arguments.shot.eye, "Where to look from, metres, y up").option_text("X,Y,Z");
     command.add_option("--target", arguments.shot.target, "What to look at").option_text("X,Y,Z");
-    add_projection_arguments(command, arguments.shot.fov_deg, arguments.shot.ortho_m);
+    add_projection_arguments(command, arguments.shot);
     command.add_option("--size", arguments.size, "Size of the drawing in pixels, 1280x720").option_text("WxH");
     command.add_option("--out", arguments.out, "The drawing").required().option_text("FILE.svg|FILE.pdf");
 }

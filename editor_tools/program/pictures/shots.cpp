@@ -22,6 +22,7 @@ void project(CameraPlace& camera, const ShotArguments& arguments)
 {
     if (arguments.fov_deg) camera.fov_deg = *arguments.fov_deg;
     if (arguments.fov_deg) camera.orthographic_height_m.reset();
+    if (arguments.roll_deg) camera.roll_deg = *arguments.roll_deg;
     if (arguments.ortho_m) camera.orthographic_height_m = arguments.ortho_m;
 }
 
@@ -61,12 +62,20 @@ std::vector<Shot> shots_along(const CameraPath& path, const ShotArguments& argum
 
 }  // namespace
 
-void add_projection_arguments(CommandLine command, std::optional<double>& fov_deg, std::optional<double>& ortho_m)
+void add_projection_arguments(CommandLine command, ShotArguments& arguments)
 {
-    command.add_option("--fov-deg", fov_deg, "Vertical field of view").option_text("F").check(number_in(1.0, 170.0));
-    command.add_option("--ortho", ortho_m, "A parallel projection, so many metres high, in place of --fov-deg")
+    command.add_option("--fov-deg", arguments.fov_deg, "Vertical field of view")
+        .option_text("F")
+        .check(number_in(1.0, 170.0));
+    command
+        .add_option("--ortho", arguments.ortho_m, "A parallel projection, so many metres high, in place of --fov-deg")
         .option_text("HEIGHT_M")
         .check(number_in(1e-6, 1e9));
+    command
+        .add_option("--roll-deg", arguments.roll_deg,
+                    "Turns the camera about its line of sight, counter-clockwise as it looks")
+        .option_text("R")
+        .check(number_in(-360.0, 360.0));
 }
 
 void add_shot_arguments(CommandLine command, ShotArguments& arguments)
@@ -74,7 +83,7 @@ void add_shot_arguments(CommandLine command, ShotArguments& arguments)
     command.add_option("--camera", arguments.camera, "A camera of the level or the model").option_text("NAME");
     command.add_option("--eye", arguments.eye, "Where to look from, metres, y up").option_text("X,Y,Z");
     command.add_option("--target", arguments.target, "What to look at").option_text("X,Y,Z");
-    add_projection_arguments(command, arguments.fov_deg, arguments.ortho_m);
+    add_projection_arguments(command, arguments);
     command.add_option("--path", arguments.path, "A camera path of the level, or turntable").option_text("NAME");
     command.add_option("--frames", arguments.frames, "That many pictures, spread evenly over the path")
         .option_text("N")

@@ -17,6 +17,7 @@ struct ShotArguments {
     std::string target;
     std::optional<double> fov_deg;
     std::optional<double> ortho_m;
+    std::optional<double> roll_deg;
     std::string path;
     std::optional<int> frames;
     double time_s = 0.0;
@@ -32,8 +33,8 @@ struct Shot {
 inline constexpr const char* kTour = "tour";
 inline constexpr const char* kTurntable = "turntable";
 
-/// --fov-deg and --ortho.
-void add_projection_arguments(CommandLine command, std::optional<double>& fov_deg, std::optional<double>& ortho_m);
+/// --fov-deg, --ortho and --roll-deg.
+void add_projection_arguments(CommandLine command, ShotArguments& arguments);
 
 void add_shot_arguments(CommandLine command, ShotArguments& arguments);
 

@@ -41,7 +41,9 @@ std::string camera_arguments(const Camera& camera)
     const std::string projection = camera.orthographic_height_m
                                        ? fmt::format("--ortho {:.6g}", *camera.orthographic_height_m)
                                        : fmt::format("--fov-deg {:.4g}", camera.fov_deg);
-    return fmt::format("--eye {} --target {} {}", text(camera.eye_world), text(camera.target_world), projection);
+    const std::string roll = camera.roll_deg == 0.0 ? "" : fmt::format(" --roll-deg {:.4g}", camera.roll_deg);
+    return fmt::format("--eye {} --target {} {}{}", text(camera.eye_world), text(camera.target_world), projection,
+                       roll);
 }
 
 }  // namespace hw

@@ -116,7 +116,8 @@ void WalkSession::place(const Camera& camera)
 {
     player_ = placed_at(camera, body_, collision());
     fov_deg_ = camera.fov_deg;
-    parallel_ = camera.orthographic_height_m ? std::optional(camera) : std::nullopt;
+    const bool is_no_walkers = camera.orthographic_height_m || camera.roll_deg != 0.0;
+    shown_as_is_ = is_no_walkers ? std::optional(camera) : std::nullopt;
     playing_.reset();
 }
 
@@ -165,9 +166,10 @@ void WalkSession::take_input(double seconds)
     for (const CommandCall& call : controls.commands) obey(call);
     follow_hidden();
     if (playing_ && wants_to_move(controls.player)) place(camera());
-    if (parallel_ && wants_to_move(controls.player)) {
-        parallel_.reset();
-        tell("Walking shows perspective: the camera's parallel view is left");
+    if (shown_as_is_ && wants_to_move(controls.player)) {
+        tell(shown_as_is_->orthographic_height_m ? "Walking shows perspective: the camera's parallel view is left"
+                                                 : "Walking is upright: the camera's turned view is left");
+        shown_as_is_.reset();
     }
     if (!playing_) move(controls.player, seconds);
     if (playing_ && now_s() - playing_->since_s > playing_->path.keys.back().t_s - playing_->path.keys.front().t_s)
@@ -368,7 +370,7 @@ double WalkSession::now_s() const
 Camera WalkSession::camera() const
 {
     if (playing_) return camera_at(playing_->path, view_time_s());
-    return parallel_ ? *parallel_ : camera_of(player_, body_, fov_deg_);
+    return shown_as_is_ ? *shown_as_is_ : camera_of(player_, body_, fov_deg_);
 }
 
 double WalkSession::view_time_s() const

@@ -99,7 +99,7 @@ class WalkSession {
     PlayerBody body_;
     PlayerState player_;
     double fov_deg_ = 60.0;
-    std::optional<Camera> parallel_;  ///< A camera in parallel projection, until the walker moves.
+    std::optional<Camera> shown_as_is_;  ///< A camera that no walker has, parallel or rolled; until he moves.
     ControlState controls_;
     std::optional<Playing> playing_;
 

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "hatchway/geometry/picture_up.hpp"
+
 namespace hw {
 namespace {
 
@@ -33,11 +35,8 @@ ImageSpace::ImageSpace(const LineCamera& camera)
         depth_m_ = camera.far_m - camera.near_m;
         near_m_ = 0.0;
     }
-    const bool is_vertical = std::abs(forward.y) > 0.999999;
-    const glm::dvec3 up_world =
-        is_vertical ? glm::dvec3(0.0, 0.0, forward.y > 0.0 ? 1.0 : -1.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, up_world));
-    const glm::dvec3 up = glm::cross(right, forward);
+    const glm::dvec3 up = picture_up(forward, camera.roll_rad);
+    const glm::dvec3 right = glm::cross(forward, up);
     for (int axis = 0; axis < 3; ++axis) {
         view_from_world_[axis] = glm::dvec4(right[axis], up[axis], forward[axis], 0.0);
     }

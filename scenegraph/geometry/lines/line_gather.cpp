@@ -2,10 +2,13 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
 
 #include "hatchway/core/box.hpp"
 #include "hatchway/geometry/exact/predicates.hpp"
@@ -282,6 +285,42 @@ class ObjectGathering {
     SilhouetteScratch& scratch_;
 };
 
+/// What makes two lines one for whoever draws them: the same picture, class and set, of whatever object.
+struct SightOfLine {
+    explicit SightOfLine(const DrawnLine& line) : class_and_set(static_cast<unsigned>(line.line_class) << 8 | line.set)
+    {
+        const auto& [a, b] = std::pair(line.image.from, line.image.to);
+        const bool is_in_order = std::tie(a.x, a.y, a.z) <= std::tie(b.x, b.y, b.z);
+        ends = is_in_order ? std::array{a, b} : std::array{b, a};
+    }
+    auto operator<=>(const SightOfLine& other) const
+    {
+        const auto& [a, b] = ends;
+        const auto& [c, d] = other.ends;
+        return std::tie(a.x, a.y, a.z, b.x, b.y, b.z, class_and_set) <=>
+               std::tie(c.x, c.y, c.z, d.x, d.y, d.z, other.class_and_set);
+    }
+    bool operator==(const SightOfLine&) const = default;
+
+    std::array<ImagePoint, 2> ends;
+    unsigned class_and_set;
+};
+
+/// Shells that lie on each other, such as a front and a back of two materials, have each line of the same edge once:
+/// the first keeps it.
+void remove_repeats(std::vector<DrawnLine>& lines)
+{
+    std::vector<std::pair<SightOfLine, std::uint32_t>> seen;
+    for (std::uint32_t i = 0; i < lines.size(); ++i) seen.emplace_back(SightOfLine(lines[i]), i);
+    tbb::parallel_sort(seen.begin(), seen.end());
+    std::vector<std::uint8_t> is_repeat(lines.size(), 0);
+    for (std::size_t i = 1; i < seen.size(); ++i) is_repeat[seen[i].second] = seen[i].first == seen[i - 1].first;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (is_repeat[i] == 0) lines[kept++] = lines[i];
+    lines.resize(kept);
+}
+
 /// A meeting needs both faces: along a wall that is not there the other just goes on.
 void add_intersections(LineDrawing& drawing, std::span<const LineObject> objects, const ImageSpace& space,
                        std::span<const IntersectionLine> intersections)
@@ -366,6 +405,7 @@ LineDrawing gather_lines(std::span<const LineObject> objects, const ImageSpace& 
         append(drawing.contours, part.from->contours, part.contours);
         append(drawing.lines, part.from->lines, part.lines);
     }
+    remove_repeats(drawing.lines);
     add_intersections(drawing, objects, space, options.intersections);
     return drawing;
 }

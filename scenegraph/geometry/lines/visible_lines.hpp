@@ -16,8 +16,7 @@
 
 namespace hw {
 
-/// The camera of a line drawing, world space. Up is +y; a camera that looks straight up has +z at the top, one that
-/// looks straight down -z.
+/// The camera of a line drawing, world space.
 struct LineCamera {
     glm::dvec3 eye_world{0.0};
     glm::dvec3 target_world{0.0, 0.0, -1.0};  ///< Not the eye.
@@ -27,6 +26,7 @@ struct LineCamera {
     glm::ivec2 size_px{1280, 720};  ///< At least 1 x 1.
     double near_m = 0.01;           ///< What is closer is cut away. Above 0, or in a parallel projection 0.
     double far_m = 1000.0;  ///< Of a parallel projection: everything is nearer; depths are told apart relative to it.
+    double roll_rad = 0.0;  ///< About the line of sight: see picture_up().
 };
 
 /// Objects that enter each other by less than this share of the larger one's size only touch, as do components of one:

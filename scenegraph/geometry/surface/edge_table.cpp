@@ -30,8 +30,9 @@ std::uint32_t crease_end(const Surface& surface, EdgeRange group, float crease_r
 
 std::span<const MoreFace> EdgeTable::more_faces_at(std::uint32_t edge) const
 {
-    const auto found = std::ranges::equal_range(more_faces, edge, {}, &MoreFace::edge);
-    return {found.begin(), found.end()};
+    const auto first = std::ranges::lower_bound(more_faces, edge, {}, &MoreFace::edge);
+    const auto end = std::ranges::upper_bound(first, more_faces.end(), edge, {}, &MoreFace::edge);
+    return {first, end};
 }
 
 float fold_rad(const Surface& surface, std::uint32_t face_a, std::uint32_t face_b)

@@ -11,6 +11,7 @@
 
 #include "hatchway/core/log.hpp"
 #include "hatchway/core/unique_names.hpp"
+#include "hatchway/geometry/picture_up.hpp"
 
 namespace hw {
 namespace {
@@ -20,7 +21,7 @@ using nlohmann::json;
 constexpr double kWidestView_deg = 170.0;
 constexpr double kLowestParallelView_m = 1e-6;
 constexpr double kHighestParallelView_m = 1e9;
-constexpr double kLeastRoll_deg = 0.5;  // that anybody sees
+constexpr double kLeastRoll_deg = 1e-3;  // that moves a pixel of a large picture: less is rounding
 
 /// The direction in which a node's light or camera looks, in the world.
 glm::dvec3 forward_of(const Node& node)
@@ -53,17 +54,15 @@ Light convert_light(const json& source, const Node& node)
     return light;
 }
 
-/// How far a camera's picture is turned against the upright one of its direction (camera_view()), degrees.
+/// The roll of a camera whose top is the node's +y, degrees; 0 where nobody would see it.
 double roll_deg(const Node& node)
 {
     const glm::dvec3 forward = forward_of(node);
-    const bool is_vertical = std::abs(forward.y) > 0.999999;
-    const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, forward) * forward; };
-    const glm::dvec3 upright =
-        across(is_vertical ? glm::dvec3(0.0, 0.0, forward.y > 0.0 ? 1.0 : -1.0) : glm::dvec3(0.0, 1.0, 0.0));
-    const glm::dvec3 stated = across(glm::dvec3(node.world_from_node[1]));
-    const double angle = std::atan2(glm::length(glm::cross(stated, upright)), glm::dot(stated, upright));
-    return std::isfinite(angle) ? glm::degrees(angle) : 0.0;
+    const glm::dvec3 upright = picture_up(forward, 0.0);
+    const glm::dvec3 stated(node.world_from_node[1]);
+    const double leaning = glm::dot(stated, glm::cross(upright, forward));  // to its left
+    const double angle = glm::degrees(std::atan2(leaning, glm::dot(stated, upright)));
+    return std::abs(angle) > kLeastRoll_deg ? angle : 0.0;
 }
 
 /// As high as the file says; the picture's own shape decides how wide. False where it is no height.
@@ -117,8 +116,7 @@ void add_cameras(const GltfModel& model, const NodeOrder& order, Scene& scene)
             doubt(fmt::format("is left out: its ymag is {:g}, so its picture has no height", source.orthographic.ymag));
             continue;
         }
-        if (const double roll = roll_deg(node); roll > kLeastRoll_deg)
-            doubt(fmt::format("is turned about its line of sight by {:.1f} degrees: pictures are drawn upright", roll));
+        camera.roll_deg = roll_deg(node);
         scene.cameras.push_back(camera);
     }
 }

@@ -27,6 +27,7 @@ inline constexpr LevelRange kMetres{-1e9, 1e9};
 inline constexpr LevelRange kSeconds{0.0, 1e6};
 inline constexpr LevelRange kFraction{0.0, 1.0};
 inline constexpr LevelRange kFieldOfView{1.0, 170.0};
+inline constexpr LevelRange kRoll{-360.0, 360.0};
 inline constexpr LevelRange kParallelHeight{1e-6, 1e9};
 
 /// "maps" of an assign entry: paths by kind.
@@ -72,6 +73,9 @@ void visit_keys(Visitor& v, Camera& camera)
                  parallel))
         camera.orthographic_height_m = parallel.height_m;
     v.not_both("fov_deg", "orthographic");
+    v.real(
+        {"roll_deg", "Turns the camera about its line of sight, counter-clockwise as it looks; a whole turn at most."},
+        kRoll, camera.roll_deg);
 }
 
 template <typename Visitor>

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
+#include "hatchway/geometry/picture_up.hpp"
 #include "hatchway/world/scene_places.hpp"
 
 namespace hw {
@@ -125,7 +126,7 @@ glm::dmat4 parallel_projection(const CameraPlace& camera, double aspect, const g
 
 CameraPlace camera_place(const Camera& camera)
 {
-    return {camera.eye_world, camera.target_world, camera.fov_deg, camera.orthographic_height_m};
+    return {camera.eye_world, camera.target_world, camera.fov_deg, camera.orthographic_height_m, camera.roll_deg};
 }
 
 View camera_view(const CameraPlace& camera, glm::ivec2 size_px, const Box& scene_bounds, float px_scale)
@@ -138,10 +139,7 @@ View camera_view(const CameraPlace& camera, glm::ivec2 size_px, std::span<const 
     const Box nothing{glm::dvec3(-1.0), glm::dvec3(1.0)};
     const std::span<const Box> boxes = boxes_world.empty() ? std::span(&nothing, 1) : boxes_world;
     const glm::dvec3 direction = direction_of(camera);
-    // Looking straight up or down, -z (or +z) is up in the picture: the limit of tilting the head.
-    const bool is_vertical = std::abs(direction.y) > 0.999999;
-    const glm::dvec3 up =
-        is_vertical ? glm::dvec3(0.0, 0.0, direction.y > 0.0 ? 1.0 : -1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 up = picture_up(direction, glm::radians(camera.roll_deg));
     const double aspect = static_cast<double>(size_px.x) / std::max(size_px.y, 1);
     View view;
     view.view_from_world = glm::mat4(glm::lookAt(camera.eye_world, camera.eye_world + direction, up));
@@ -160,7 +158,10 @@ View camera_view(const CameraPlace& camera, glm::ivec2 size_px, std::span<const 
 bool is_beyond(const View& view, const Box& box_world)
 {
     if (!view.is_orthographic()) return false;
-    const Box clip = transformed(box_world, glm::dmat4(view.clip_from_view) * glm::dmat4(view.view_from_world));
+    // About the eye: far from the origin the view's own translation is coarse.
+    const Box relative{box_world.min - view.eye_world, box_world.max - view.eye_world};
+    const Box clip =
+        transformed(relative, glm::dmat4(view.clip_from_view) * glm::dmat4(glm::dmat3(view.view_from_world)));
     return clip.max.z > 1.0 && clip.overlaps({{-1.0, -1.0, -1.0}, {1.0, 1.0, clip.max.z}});
 }
 

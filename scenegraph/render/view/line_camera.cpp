@@ -15,7 +15,8 @@ LineCamera line_camera(const CameraPlace& place, const View& view)
                       .fov_rad = glm::radians(place.fov_deg),
                       .orthographic_height_m = place.orthographic_height_m,
                       .size_px = view.size_px,
-                      .near_m = clip[3][2] / (clip[2][2] - 1.0)};
+                      .near_m = clip[3][2] / (clip[2][2] - 1.0),
+                      .roll_rad = glm::radians(place.roll_deg)};
     if (!view.is_orthographic()) return camera;
     const glm::vec2 range = depth_range(view);
     camera.near_m = std::max(0.0, static_cast<double>(range.x));

@@ -74,6 +74,24 @@ TEST(visible_lines, a_square_is_one_closed_line_where_the_camera_sees_it)
     }
 }
 
+TEST(visible_lines, of_shells_that_lie_on_each_other_are_drawn_once)
+{
+    const hw::MeshData ball = sphere(16, 12);
+    const hw::Surface front_surface = hw::build_surface(ball), back_surface = hw::build_surface(turned_over(ball));
+    const std::vector<hw::LineObject> one{{&front_surface}};
+    const std::vector<hw::LineObject> both{{&front_surface}, {&back_surface}, {&front_surface, at(2.5, 0.0, 0.0)}};
+    const double alone = total(hw::find_visible_lines(one, kFront), true, 0);
+    const auto lines = hw::find_visible_lines(both, kFront);
+    EXPECT_GT(alone, 100.0);
+    EXPECT_NEAR(total(lines, true, 0), alone, 1e-6 * alone);
+    EXPECT_EQ(total(lines, true, 1), 0.0) << "the first shell keeps the lines";
+    EXPECT_GT(total(lines, true, 2), 0.9 * alone) << "a ball beside has its own";
+
+    const hw::Surface doubled = hw::build_surface(joined({ball, ball}));
+    EXPECT_NEAR(total(hw::find_visible_lines(std::vector<hw::LineObject>{{&doubled}}, kFront), true, 0), alone,
+                1e-6 * alone);
+}
+
 TEST(visible_lines, a_square_hides_the_part_of_another_that_is_behind_it)
 {
     const hw::Surface square = upright_square();

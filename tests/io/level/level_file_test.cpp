@@ -90,7 +90,7 @@ TEST(level_file, every_key_is_read)
         ],
         "certainty_styles": [{"from": 0.5, "style": "assumed"}],
         "cameras": {"door": {"position": [0, 1.7, 8], "look_at": [0, 1.5, 0], "fov_deg": 75},
-                    "plan": {"position": [0, 9, 0], "look_at": [0, 0, 0], "orthographic": {"height_m": 6}}},
+                    "plan": {"position": [0, 9, 0], "look_at": [0, 0, 0], "orthographic": {"height_m": 6}, "roll_deg": 30}},
         "paths": {"tour": {"fps": 30, "keys": [{"t_s": 0, "position": [0, 0, 0], "look_at": [1, 0, 0]},
                                                {"t_s": 2, "position": [1, 0, 0], "look_at": [2, 0, 0]}]}},
         "lights": [{"type": "sun", "direction": [0, -2, 0], "illuminance_lux": 50000, "colour": "#ff0000"},
@@ -128,6 +128,8 @@ TEST(level_file, every_key_is_read)
     EXPECT_EQ(level.cameras.at(0).fov_deg, 75.0);
     EXPECT_FALSE(level.cameras.at(0).orthographic_height_m);
     EXPECT_EQ(level.cameras.at(1).orthographic_height_m, 6.0);
+    EXPECT_EQ(level.cameras.at(0).roll_deg, 0.0);
+    EXPECT_EQ(level.cameras.at(1).roll_deg, 30.0);
     EXPECT_EQ(level.paths.at(0).fps, 30.0);
     EXPECT_EQ(level.paths.at(0).keys.at(1).t_s, 2.0);
     EXPECT_EQ(level.lights.at(0).direction_world, glm::dvec3(0, -1, 0)) << "made unit";

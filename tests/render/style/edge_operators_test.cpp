@@ -35,7 +35,7 @@ class edge_operators : public RendererTest {
     {
         const Program source = shaders_.full_screen("#include \"full_screen.glsl\"\nvec4 made(ivec2 p) {\n" + made_by +
                                                     "}\nvoid main() { hw_fragment = made(ivec2(gl_FragCoord.xy)); }\n");
-        const Program find = operators_.full_screen(file, defines);
+        const Program find = operators_.full_screen(file, defines_);
         // Linear bytes arrive in the picture as sRGB: undo that here, so that the test reads what was made.
         const Program show = shaders_.full_screen(
             "#include \"full_screen.glsl\"\nuniform sampler2D shown;\nvoid main() { vec3 c = texelFetch(shown, "
@@ -44,9 +44,9 @@ class edge_operators : public RendererTest {
         ScriptedStyle style;
         Image made;
         style.makes_images = [&](Pass& pass, Items) {
-            const Image image = pass.filter({.outputs = {{.format = format}}}, source, {})[0];
+            const Image image = pass.filter({.outputs = {{.format = format_}}}, source, {})[0];
             uniforms.set("normal_depth", image).set("reach_px", glm::vec3(1.0f, 1.0f, 0.0f));
-            made = make ? make(pass, find, uniforms) : pass.filter({}, find, uniforms)[0];
+            made = make_ ? make_(pass, find, uniforms) : pass.filter({}, find, uniforms)[0];
         };
         style.draws_lines = [&](Pass& pass, Items) { pass.cover(show, Uniforms().set("shown", made)); };
         load(style);
@@ -69,9 +69,9 @@ class edge_operators : public RendererTest {
 
     ShaderFolder shaders_{*renderer_};
     ProgramCache& operators_;
-    std::string defines;
-    PixelFormat format = PixelFormat::rgba32f;
-    std::function<Image(Pass&, Program, const Uniforms&)> make;
+    std::string defines_;
+    PixelFormat format_ = PixelFormat::rgba32f;
+    std::function<Image(Pass&, Program, const Uniforms&)> make_;
 };
 
 // A and H look 90 degrees apart, C and F the same way: I_N = (0 + 1) / 2. Depths over 10 m: |A - H| = 0.4, |C - F| =
@@ -89,8 +89,8 @@ TEST_F(edge_operators, diagonal_is_the_papers_i_n_and_i_z)
 
 TEST_F(edge_operators, diagonal_is_the_same_on_bytes_but_for_their_steps)
 {
-    defines = "#define NORMAL_DEPTH_BYTES 1\n";
-    format = PixelFormat::rgba8;
+    defines_ = "#define NORMAL_DEPTH_BYTES 1\n";
+    format_ = PixelFormat::rgba8;
     // As normal_depth of format rgba8 holds the patch over 0 to 10 m.
     const auto as_bytes = [](double x, double y, double z, double metres) {
         return "vec4(" + std::to_string(0.5 * x + 0.5) + ", " + std::to_string(0.5 * y + 0.5) + ", " +
@@ -121,14 +121,14 @@ TEST_F(edge_operators, c1_is_the_papers_sum_in_one_pass_and_in_three)
     EXPECT_EQ(once.x, 255);
     EXPECT_NEAR(once.y, byte(0.7), 1);
     const Program part = operators_.full_screen("c1_part.frag");
-    make = [&](Pass& pass, Program find, const Uniforms& uniforms) {
+    make_ = [&](Pass& pass, Program find, const Uniforms& uniforms) {
         Image sum;
         for (int i = 0; i < 2; ++i)
             sum = pass.filter({.outputs = {{.format = PixelFormat::rg8}}}, part,
                               Uniforms(uniforms).set("part", i).set("sum_before", sum))[0];
         return pass.filter({}, find, Uniforms(uniforms).set("part", 2).set("sum_before", sum))[0];
     };
-    defines = "#define IN_THREE_PASSES 1\n";
+    defines_ = "#define IN_THREE_PASSES 1\n";
     const glm::ivec2 thrice = at(edges("c1.frag", patch, of_2003()), kX);
     EXPECT_NEAR(thrice.y, byte(0.7), 2);
     EXPECT_EQ(thrice.x, 255);
@@ -174,7 +174,7 @@ TEST_F(edge_operators, a_fold_is_an_inner_edge_at_its_place_between_two_pixels)
     const std::string roof =
         "float x = float(p.x) + 0.5 - 16.1;\n"
         "return vec4(x < 0.0 ? vec3(-0.8, 0.0, 0.6) : vec3(0.8, 0.0, 0.6), 1.0 / (0.1 - 0.002 * abs(x)));\n";
-    make = [](Pass& pass, Program find, const Uniforms& given) {
+    make_ = [](Pass& pass, Program find, const Uniforms& given) {
         return pass.filter({}, find, Uniforms(given).set("reach_px", glm::vec3(0.5f, 1.0f, 0.0f)))[0];
     };
     const Pixels picture = edges("second_difference.frag", roof, ours());

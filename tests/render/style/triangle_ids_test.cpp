@@ -62,8 +62,8 @@ class triangle_ids : public RendererTest {
             "right_plane;\nlayout(location = 0) out uint id;\nlayout(location = 1) out vec4 plane;\nvoid main() {\n"
             "float x = gl_FragCoord.x - 16.0;\nvec3 p = x < 0.0 ? left_plane : right_plane;\n"
             "id = uint(x < 0.0 ? left : right);\nplane = vec4(p.x + x * p.y, p.yz, 1.0 / p.x); }\n");
-        std::string defines = is_of_2011 ? "#define IDS_OF_2011 1\n" : "";
-        if (by_lists) defines += "#define TRIANGLES_BY_STARS 1\n";
+        std::string defines = is_of_2011_ ? "#define IDS_OF_2011 1\n" : "";
+        if (by_lists_) defines += "#define TRIANGLES_BY_STARS 1\n";
         const Program find = operators_.full_screen("ids.frag", defines);
         const Program show = shaders_.full_screen(
             "#include \"full_screen.glsl\"\nuniform sampler2D shown;\nvoid main() { vec3 c = texelFetch(shown, "
@@ -88,7 +88,7 @@ class triangle_ids : public RendererTest {
                                    .set("triangle_stars", pass.image({"triangle_stars", {}}))
                                    .set("star_triangles", pass.image({"triangle_stars", {}}, 1))
                                    .set("gap", 0.01f)
-                                   .set("small_px", small_px)
+                                   .set("small_px", small_px_)
                                    .set("reach_px", glm::vec3(0.5f, 1.0f, 0.0f)))[0];
         };
         style.draws_lines = [&](Pass& pass, Items) { pass.cover(show, Uniforms().set("shown", made)); };
@@ -103,8 +103,8 @@ class triangle_ids : public RendererTest {
 
     ShaderFolder shaders_{*renderer_};
     ProgramCache& operators_;
-    bool is_of_2011 = false, by_lists = false;
-    float small_px = 0.0f;
+    bool is_of_2011_ = false, by_lists_ = false;
+    float small_px_ = 0.0f;
 };
 
 const glm::ivec3 kNone3(255), kOutline(255, 0, 255), kBorder(255, 0, 0);
@@ -145,7 +145,7 @@ TEST_F(triangle_ids, triangles_with_a_common_edge_or_corner_have_no_line_between
 {
     for (const bool lists : {false, true})
         for (const bool paper : {false, true}) {
-            by_lists = lists, is_of_2011 = paper;
+            by_lists_ = lists, is_of_2011_ = paper;
             for (const auto& [left, right] : {std::pair(1, 2), {2, 3}, {3, 2}})
                 EXPECT_EQ(at(edges(left, right), kLeft), kNone3) << left << '|' << right;
         }
@@ -153,9 +153,9 @@ TEST_F(triangle_ids, triangles_with_a_common_edge_or_corner_have_no_line_between
 
 TEST_F(triangle_ids, of_2011_marks_both_sides_between_triangles_without_a_common_corner)
 {
-    is_of_2011 = true;
+    is_of_2011_ = true;
     for (const bool lists : {false, true}) {
-        by_lists = lists;
+        by_lists_ = lists;
         for (const auto& [left, right] : {std::pair(1, 3), {1, 4}, {1, 5}}) {
             const Pixels picture = edges(left, right);
             EXPECT_EQ(at(picture, kLeft).y, 0);
@@ -169,7 +169,7 @@ TEST_F(triangle_ids, of_2011_marks_both_sides_between_triangles_without_a_common
 TEST_F(triangle_ids, the_triangle_before_the_other_has_the_edge_a_border_within_one_object_else_an_outline)
 {
     for (const bool lists : {false, true}) {
-        by_lists = lists;
+        by_lists_ = lists;
         const Pixels within = edges(1, 4, {0.1f, 0, 0}, {0.09f, 0, 0}), other = edges(5, 1, {0.09f, 0, 0});
         EXPECT_EQ(at(within, kLeft), kBorder);
         EXPECT_EQ(at(within, kRight), kNone3);
@@ -186,7 +186,7 @@ TEST_F(triangle_ids, the_triangle_before_the_other_has_the_edge_a_border_within_
 TEST_F(triangle_ids, joined_triangles_have_an_edge_where_one_is_folded_over_the_other)
 {
     for (const bool lists : {false, true}) {
-        by_lists = lists;
+        by_lists_ = lists;
         EXPECT_EQ(at(edges(1, 2, {0.1f, -0.001f, 0}, {0.1f, 0.001f, 0}), kLeft), kNone3) << "a roof";
         EXPECT_EQ(at(edges(1, 2, {0.1f, 0, 0}, {0.0995f, 0, 0}), kLeft), kBorder);
         EXPECT_EQ(at(edges(1, 2, {0.1f, 0, 0}, {0.0995f, 0, 0}), kRight), kNone3);
@@ -206,7 +206,7 @@ TEST_F(triangle_ids, planes_that_meet_are_an_inner_edge_half_on_each_side)
 TEST_F(triangle_ids, what_stands_before_nothing_has_an_outline_on_its_own_side)
 {
     for (const bool paper : {false, true}) {
-        is_of_2011 = paper;
+        is_of_2011_ = paper;
         const Pixels picture = edges(1, 0);
         EXPECT_EQ(at(picture, kLeft), kOutline);
         EXPECT_EQ(at(picture, kRight), kNone3);
@@ -216,12 +216,12 @@ TEST_F(triangle_ids, what_stands_before_nothing_has_an_outline_on_its_own_side)
 // Triangle 4 is 0.001 m high; at nearness 0.1 with a focal length of 24 / (2 tan 30 deg) = 20.8 px that is 0.002 px.
 TEST_F(triangle_ids, between_small_triangles_of_one_object_only_a_gap_is_an_edge)
 {
-    small_px = 1.0f;
+    small_px_ = 1.0f;
     EXPECT_EQ(at(edges(1, 4), kLeft), kNone3) << "they meet";
     EXPECT_EQ(at(edges(1, 4, {0.1f, 0, 0}, {0.0995f, 0, 0}), kLeft), kNone3) << "half a percent";
     EXPECT_EQ(at(edges(1, 4, {0.1f, 0, 0}, {0.098f, 0, 0}), kLeft), kBorder) << "two percent";
     EXPECT_NEAR(at(edges(5, 4), kLeft).x, 127, 1) << "of two objects all is shown";
-    small_px = 0.001f;
+    small_px_ = 0.001f;
     EXPECT_NEAR(at(edges(1, 4), kLeft).x, 127, 1) << "and of larger ones";
 }
 
