@@ -24,46 +24,39 @@ ivec2 inside(ivec2 offset)
 
 highp uint id_at(ivec2 offset) { return texelFetch(triangle_ids, inside(offset), 0).r; }
 
-// What is asked of a triangle before its corners are: they are read only where that does not decide.
-struct Known {
-    highp uint id;
-    highp uint object;
-    highp float least_height_m;
-};
-
-Known known(highp uint id) { return Known(id, hw_object_at(id), hw_least_height_at(id)); }
-
 // Of a triangle, where its plane has that nearness.
-float height_px(Known t, float nearness)
+float height_px(HwTriangle t, float nearness)
 {
     float scale = hw_is_parallel ? hw_focal_px : hw_focal_px * nearness;
-    return t.least_height_m * scale;
+    return hw_least_height_m(t) * scale;
 }
 
-Crack crack_between(Known t, Known other, vec4 a, vec4 b, ivec2 way)
+Crack crack_between(HwTriangle t, HwTriangle other, vec4 a, vec4 b, ivec2 way)
 {
     float on_a = float(way.x) * a.y + float(way.y) * a.z, on_b = float(way.x) * b.y + float(way.y) * b.z;
     float bend_a = b.x - (a.x + on_a), bend_b = a.x - (b.x - on_b);  // the other, and this, against planes that go on
     float unit = max(abs(a.x), abs(b.x));
-    bool is_one_object = t.object == other.object;
+    bool is_one_object = hw_object_of(t) == hw_object_of(other);
     // Planes of triangles with a common edge meet there, unless one is folded over the other. Around a common corner, and where
     // triangles are so small that whole ones lie between two pixels, a smooth surface may lie beside its planes.
+    int common_corners = hw_common_corners(t, other);
     bool is_dense = is_one_object && min(height_px(t, a.x), height_px(other, b.x)) < small_px;
-    int common_corners = is_dense ? 0 : hw_common_corners(hw_triangle(t.id), hw_triangle(other.id));
     float least = unit * (is_dense || common_corners == 1 ? gap : kRounding);
     bool is_before = bend_a < -least && bend_b > least, is_behind = bend_a > least && bend_b < -least;
     bool meets = !is_before && !is_behind && !is_dense && common_corners == 0;
     return Crack(is_before ? 1.0 : is_behind ? -1.0 : 0.0, meets, is_one_object);
 }
 
-Crack crack_to(Known t, highp uint id, ivec2 way)
+Crack crack_to(HwTriangle t, ivec2 way)
 {
+    highp uint id = id_at(way);
     if (id == t.id) return Crack(0.0, false, false);
     if (id == 0u || t.id == 0u) return Crack(t.id == 0u ? -1.0 : 1.0, false, false);
+    HwTriangle other = hw_triangle(id);
 #ifdef IDS_OF_2011
-    return Crack(hw_is_adjacent(hw_triangle(t.id), hw_triangle(id)) ? 0.0 : 1.0, false, false);
+    return Crack(hw_is_adjacent(t, other) ? 0.0 : 1.0, false, false);
 #else
-    return crack_between(t, known(id), texelFetch(planes, inside(ivec2(0)), 0), texelFetch(planes, inside(way), 0), way);
+    return crack_between(t, other, texelFetch(planes, inside(ivec2(0)), 0), texelFetch(planes, inside(way), 0), way);
 #endif
 }
 
@@ -71,15 +64,13 @@ void main()
 {
     const ivec2 kRight = ivec2(1, 0), kUp = ivec2(0, 1);
     highp uint id = id_at(ivec2(0));
-    highp uint left = id_at(-kRight), right = id_at(kRight), down = id_at(-kUp), up = id_at(kUp);
-    bool is_alone = left == id && right == id && down == id && up == id;
+    bool is_alone = id_at(-kRight) == id && id_at(kRight) == id && id_at(-kUp) == id && id_at(kUp) == id;
     bool ends = false, is_outline = false, meets = false;
     vec2 steps = vec2(0.0);
     if (!is_alone) {
-        Known t = known(max(id, 1u));
+        HwTriangle t = hw_triangle(max(id, 1u));
         t.id = id;
-        Crack cracks[4] =
-            Crack[4](crack_to(t, left, -kRight), crack_to(t, right, kRight), crack_to(t, down, -kUp), crack_to(t, up, kUp));
+        Crack cracks[4] = Crack[4](crack_to(t, -kRight), crack_to(t, kRight), crack_to(t, -kUp), crack_to(t, kUp));
         for (int i = 0; i < 4; ++i) {
             ends = ends || cracks[i].step > 0.0;
             is_outline = is_outline || (cracks[i].step > 0.0 && !cracks[i].is_border);

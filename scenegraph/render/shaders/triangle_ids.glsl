@@ -40,13 +40,9 @@ HwTriangle hw_triangle(highp uint id)
     return t;
 }
 
-// The number of its object, from 1 on, and its least height in metres, without its corners.
-highp uint hw_object_at(highp uint id) { return texelFetch(triangle_corners, hw_table_texel(3u * (id - 1u)), 0).w; }
+highp uint hw_object_of(HwTriangle t) { return t.a.w; }
 
-highp float hw_least_height_at(highp uint id)
-{
-    return uintBitsToFloat(texelFetch(triangle_corners, hw_table_texel(3u * (id - 1u) + 1u), 0).w);
-}
+highp float hw_least_height_m(HwTriangle t) { return uintBitsToFloat(t.b.w); }
 
 #ifdef TRIANGLES_BY_STARS
 
