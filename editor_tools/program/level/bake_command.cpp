@@ -31,10 +31,7 @@ struct BakeArguments {
 BakeOptions options_of(const BakeArguments& arguments)
 {
     BakeOptions options = bake_options(arguments.quality == "draft" ? BakeQuality::draft : BakeQuality::final);
-    if (arguments.luxels_per_m) {
-        options.luxels_per_m = *arguments.luxels_per_m;
-        options.budget = BakeOptions().budget;  // whoever asks for a density waits for it
-    }
+    if (arguments.luxels_per_m) options.luxels_per_m = *arguments.luxels_per_m;
     if (arguments.samples) options.samples = *arguments.samples;
     for (std::uint64_t* budget : {&options.budget, &options.ray_budget})
         *budget = static_cast<std::uint64_t>(std::min(1e18, Budget::factor() * static_cast<double>(*budget)));
