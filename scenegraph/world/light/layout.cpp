@@ -1,10 +1,13 @@
 #include "hatchway/world/light/layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "hatchway/core/error.hpp"
 #include "hatchway/core/log.hpp"
@@ -20,7 +23,7 @@ constexpr int kBorder = 1;
 constexpr double kMostWaste = 6.0;  // luxels of charts with borders, for each that the surface or a vertex needs
 constexpr int kMaxSide = 4096;      // every device that runs GLES 3.0 well has textures of this size
 constexpr double kLessDense = 0.85;
-constexpr double kLeastDensity = 0.01;  // luxels per metre
+constexpr int kMostSteps = 256;  // less dense by 1e18: scenes of any size have a luxel for each chart
 constexpr std::array<std::uint16_t, 4> kDark{0, 0, 0, 0x3c00};
 
 /// A chart's own coordinates in luxels.
@@ -216,24 +219,35 @@ Lightmap plan_lightmap(const Scene& scene, double luxels_per_m, std::uint64_t bu
 {
     const std::vector<bool> is_receiver = find_receivers(scene, receivers);
     const std::vector<bool> open_backs = find_open_backs(scene, lights, eyes_world);
-    for (double density = luxels_per_m; density > kLeastDensity; density *= kLessDense) {
-        Lightmap lightmap;
-        lightmap.luxels_per_m = density;
-        const std::vector<double> of_meshes = densities(scene, is_receiver, density);
+    const auto planned = [&](int steps) {
+        std::optional<Lightmap> lightmap(std::in_place);
+        lightmap->luxels_per_m = luxels_per_m * std::pow(kLessDense, steps);
+        const std::vector<double> of_meshes = densities(scene, is_receiver, lightmap->luxels_per_m);
         for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-            lightmap.layouts.push_back(of_meshes[i] > 0.0 ? lay_out(scene.meshes[i], of_meshes[i]) : LightmapLayout{});
-        if (!place_objects(scene, is_receiver, open_backs, budget, lightmap)) continue;
-        if (density < luxels_per_m)
-            log_info("Lightmap: " + std::to_string(density) + " luxels per metre instead of " +
-                     std::to_string(luxels_per_m) +
-                     ", to keep the budget; --budget-factor 2 doubles it, `hatchway bake --nodes GLOB` bakes fewer "
-                     "nodes, more finely");
-        lightmap.luxels.assign(static_cast<std::size_t>(lightmap.size.x) * lightmap.size.y, kDark);
+            lightmap->layouts.push_back(of_meshes[i] > 0.0 ? lay_out(scene.meshes[i], of_meshes[i]) : LightmapLayout{});
+        if (!place_objects(scene, is_receiver, open_backs, budget, *lightmap)) lightmap.reset();
         return lightmap;
+    };
+    std::optional<Lightmap> best = planned(0);
+    if (!best) best = planned(kMostSteps);
+    if (!best)
+        throw Error({.what = "the lightmap takes more than " + std::to_string(budget) + " luxels at any density",
+                     .file = scene.file,
+                     .expected = "fewer nodes: `hatchway bake --nodes GLOB` bakes those of a glob"});
+    if (best->luxels_per_m < luxels_per_m) {
+        for (int too_dense = 0, enough = kMostSteps; enough - too_dense > 1;) {
+            const int middle = (too_dense + enough) / 2;
+            std::optional<Lightmap> denser = planned(middle);
+            (denser ? enough : too_dense) = middle;
+            if (denser) best = std::move(denser);
+        }
+        log_info(
+            fmt::format("Lightmap: {:.3g} luxels per metre instead of {:.3g}, to keep the budget; "
+                        "--budget-factor 2 doubles it, `hatchway bake --nodes GLOB` bakes fewer nodes, more finely",
+                        best->luxels_per_m, luxels_per_m));
     }
-    throw Error({.what = "the lightmap takes more than " + std::to_string(budget) + " luxels at any density",
-                 .file = scene.file,
-                 .expected = "fewer nodes: `hatchway bake --nodes GLOB` bakes those of a glob"});
+    best->luxels.assign(static_cast<std::size_t>(best->size.x) * best->size.y, kDark);
+    return std::move(*best);
 }
 
 }  // namespace hw

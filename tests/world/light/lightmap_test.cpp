@@ -220,6 +220,20 @@ TEST(plan_lightmap, a_small_budget_makes_larger_luxels)
     EXPECT_THROW(plan_lightmap(scene, 8.0, 3), Error);
 }
 
+TEST(plan_lightmap, fits_scenes_of_any_size_as_densely_as_its_budget_allows)
+{
+    for (const double size_m : {1.0, 1e3, 1e6, 1e9, 1e12}) {
+        SCOPED_TRACE(size_m);
+        Scene scene;
+        add_box(scene, add_material(scene, 0.5f), {glm::dvec3(0.0), glm::dvec3(size_m)});
+        for (const double luxels_per_m : {0.01, 2.0, 1000.0}) {
+            const Lightmap lightmap = plan_lightmap(scene, luxels_per_m, 100'000);
+            EXPECT_LE(lightmap.luxels.size(), 100'000u);
+            EXPECT_TRUE(lightmap.luxels_per_m == luxels_per_m || lightmap.luxels.size() > 50'000);
+        }
+    }
+}
+
 TEST(plan_lightmap, all_but_unlit_objects_have_luxels)
 {
     Scene scene;
