@@ -22,10 +22,17 @@ struct FaceCall {
     const std::map<MapKind, int>* named_maps = nullptr;  ///< What `needs` name.
 };
 
+/// What a mirror of a view shows, in the picture where it stands.
+struct Reflection {
+    const Mirror* mirror = nullptr;
+    Image picture;  ///< As large as the view's.
+};
+
 /// One view of a frame: what is seen from where, and the target that it is drawn into. A second view in the same frame,
 /// such as that of a mirror, has another of these and other results; scene and device are shared.
 struct FrameView {
     const View& camera;
+    const glm::dvec3& viewer_world;  ///< The eye of the frame, whichever mirror this view is of: shadows go by it.
     const FrameOptions& options;
     GpuTarget& picture;               ///< Size of the camera's; multisampled when the options say so.
     VisibleSet visible;               ///< What may be seen from the camera.
@@ -36,6 +43,7 @@ struct FrameView {
 
 /// What the phases leave for those after them. Textures belong to the device's pool and live as long as the frame.
 struct FrameResults {
+    std::vector<Reflection> reflections;   ///< Drawn before the view is.
     std::map<ImageKey, Images> images;     ///< Made by image passes.
     std::vector<FaceCall> opaque_faces;    ///< Of first styles, in the order of the calls.
     std::optional<VisibleSet> seen;        ///< What of `visible` no other face hides, when that was asked.

@@ -64,7 +64,7 @@ void draw_products(const Frame& frame)
         if (needs.lightmap) scene.lightmap.prepare();
         const bool is_all_baked = needs.lightmap && scene.is_all_baked;
         if (needs.shadow == ShadowNeed::main_light && !is_all_baked)
-            scene.shadow.prepare(*scene.input.scene, frame.view.camera.eye_world, scene.repeats, scene.gpu, scene.light,
+            scene.shadow.prepare(*scene.input.scene, frame.view.viewer_world, scene.repeats, scene.gpu, scene.light,
                                  frame.device.programs, frame.device.state, shadow_side_px);
     };
     for (int i = 0; i < style_count(frame); ++i)

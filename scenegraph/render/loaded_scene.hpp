@@ -45,6 +45,7 @@ struct LoadedScene {
     std::vector<std::uint8_t> repeats;               ///< Objects that are not drawn: find_repeats().
     std::vector<Needs> needs;                        ///< Of each style.
     std::vector<std::map<MapKind, int>> style_maps;  ///< Of each style: what its needs name.
+    Program mirror_program;                          ///< Invalid in a scene without mirrors.
     std::map<ImageKey, NeededImage> images;          ///< What styles need, directly or by another image's needs.
 
  private:

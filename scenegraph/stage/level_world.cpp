@@ -15,6 +15,7 @@
 #include "hatchway/world/hidden_objects.hpp"
 #include "hatchway/world/light/bake.hpp"
 #include "hatchway/world/looks.hpp"
+#include "hatchway/world/mirrors.hpp"
 #include "hatchway/world/visibility/tree/structure.hpp"
 
 namespace hw {
@@ -72,11 +73,12 @@ void add_baked_light(const Level& level, LevelWorld& world)
         add_lightmap_stream(world.scene.meshes[i], world.lightmap->layouts[i]);
 }
 
-/// Also where nobody compiles its visibility, a wrong name in a level is told.
+/// Also where nobody compiles its visibility or draws it, a wrong name in a level is told.
 Scene imported(const Level& level)
 {
     Scene scene = import_model(level.scene_file, level.project_root);
     structure_nodes(scene, level);
+    find_mirrors(level, scene);
     return scene;
 }
 

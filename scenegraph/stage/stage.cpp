@@ -12,6 +12,7 @@
 #include "hatchway/io/images/images.hpp"
 #include "hatchway/stage/level_styles.hpp"
 #include "hatchway/world/hidden_objects.hpp"
+#include "hatchway/world/mirrors.hpp"
 
 namespace hw {
 namespace {
@@ -181,6 +182,8 @@ void Stage::load()
     loaded_map_count_ = input.maps.size();
     input.lights = lights_of(shown_.level, world.scene);
     input.exposure_ev = static_cast<float>(exposure_ev_of(shown_.level, world.scene, input.lights));
+    input.mirrors = find_mirrors(shown_.level, world.scene);
+    input.mirror_depth = shown_.level.mirror_depth;
     if (shown_.level.background) input.background_srgb = *shown_.level.background;
     input.image_passes = styles_.image_passes();
     renderer_.load(std::move(input));

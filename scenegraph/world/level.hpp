@@ -49,6 +49,14 @@ struct CertaintyStyle {
     std::string style;
 };
 
+/// One entry of "mirrors": flat objects in which the scene is seen.
+struct MirrorRule {
+    std::string nodes;            ///< Path glob, or "#12"; it reaches the node's children too.
+    double reflectance = 0.9;     ///< How much of the objects' own look the reflection takes, [0, 1].
+    glm::vec3 tint_linear{1.0f};  ///< What the reflection is multiplied by.
+    std::string pointer;
+};
+
 struct PathKey {
     double t_s = 0.0;
     glm::dvec3 position{0.0};
@@ -83,6 +91,8 @@ struct Level {
     std::vector<Camera> cameras;    ///< In the order of the file.
     std::vector<CameraPath> paths;  ///< In the order of the file.
     std::vector<Light> lights;      ///< Added to the model's.
+    std::vector<MirrorRule> mirrors;
+    int mirror_depth = 2;  ///< How many mirrors a line of sight is followed through, 1 to 4.
     bool is_sealed = false;
 };
 

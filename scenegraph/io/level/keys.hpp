@@ -28,6 +28,7 @@ inline constexpr LevelRange kSeconds{0.0, 1e6};
 inline constexpr LevelRange kFraction{0.0, 1.0};
 inline constexpr LevelRange kFieldOfView{1.0, 170.0};
 inline constexpr LevelRange kRoll{-360.0, 360.0};
+inline constexpr LevelRange kMirrorDepth{1.0, 4.0};
 inline constexpr LevelRange kParallelHeight{1e-6, 1e9};
 
 /// "maps" of an assign entry: paths by kind.
@@ -176,6 +177,16 @@ void visit_keys(Visitor& v, Light& light)
 }
 
 template <typename Visitor>
+void visit_keys(Visitor& v, MirrorRule& mirror)
+{
+    v.text({"nodes", "Flat nodes by path, such as Hall/Mirror_*, or #12; their children too.", true}, mirror.nodes);
+    v.real({"reflectance", "How much of its own look the reflection takes; default 0.9."}, kFraction,
+           mirror.reflectance);
+    v.linear_colour({"tint", "#rrggbb, sRGB, that the reflection is multiplied by; default white."},
+                    mirror.tint_linear);
+}
+
+template <typename Visitor>
 void visit_keys(Visitor& v, Level& level)
 {
     v.ignored({"$schema", "The schema that editors check this file with."});
@@ -193,6 +204,9 @@ void visit_keys(Visitor& v, Level& level)
     v.named({"cameras", "Viewpoints by name."}, level.cameras);
     v.named({"paths", "Camera paths by name."}, level.paths);
     v.objects({"lights", "Lights beside the model's."}, level.lights);
+    v.objects({"mirrors", "Flat objects that mirror what is before them; later entries win."}, level.mirrors);
+    v.whole({"mirror_depth", "How many mirrors a line of sight is followed through; default 2."}, kMirrorDepth,
+            level.mirror_depth);
 }
 
 }  // namespace hw

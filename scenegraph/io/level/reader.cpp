@@ -114,6 +114,17 @@ std::optional<double> LevelReader::number(const LevelKey& key, const LevelRange&
     return value;
 }
 
+bool LevelReader::whole(const LevelKey& key, const LevelRange& range, int& value)
+{
+    const std::optional<double> stated = number(key, range);
+    if (!stated) return false;
+    if (*stated != std::floor(*stated))
+        refuse(pointer_to(pointer_, key.name), fmt::format("stands the number {}", *stated),
+               fmt::format("a whole number from {} to {}", range.min, range.max));
+    value = static_cast<int>(*stated);
+    return true;
+}
+
 bool LevelReader::angle(const LevelKey& key, const LevelRange& range_deg, float& rad)
 {
     const std::optional<double> deg = number(key, range_deg);
@@ -270,6 +281,11 @@ void LevelReader::finish(const LevelReader& reader, AssignRule& rule)
 void LevelReader::finish(const LevelReader&, Level& level)
 {
     inherit_styles(level);
+}
+
+void LevelReader::finish(const LevelReader& reader, MirrorRule& mirror)
+{
+    mirror.pointer = reader.pointer();
 }
 
 void LevelReader::finish(const LevelReader& reader, StartPlace& place)

@@ -54,6 +54,7 @@ class LevelReader {
         if (stated) value = static_cast<Enum>(*stated);
         return stated.has_value();
     }
+    bool whole(const LevelKey& key, const LevelRange& range, int& value);
     bool point(const LevelKey& key, glm::dvec3& value);
     bool linear_colour(const LevelKey& key, glm::vec3& linear);
     bool angle(const LevelKey& key, const LevelRange& range_deg, float& rad);
@@ -150,6 +151,7 @@ class LevelReader {
     }
     static void finish(const LevelReader& reader, StyleDesc& style);
     static void finish(const LevelReader& reader, AssignRule& rule);
+    static void finish(const LevelReader& reader, MirrorRule& mirror);
     static void finish(const LevelReader& reader, StartPlace& place);
     static void finish(const LevelReader& reader, Camera& camera);
     static void finish(const LevelReader& reader, CameraPath& path);

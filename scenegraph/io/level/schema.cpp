@@ -108,6 +108,12 @@ class SchemaWriter {
     {
         return add(key, number_schema(range.min, range.max));
     }
+    bool whole(const LevelKey& key, const LevelRange& range, int&)
+    {
+        Json schema = number_schema(range.min, range.max);
+        schema["type"] = "integer";
+        return add(key, std::move(schema));
+    }
     bool angle(const LevelKey& key, const LevelRange& range_deg, float&)
     {
         return add(key, number_schema(range_deg.min, range_deg.max));

@@ -19,21 +19,29 @@ GpuTarget& TargetPool::take(const GpuTargetDesc& desc)
         if (entry->is_taken || !is_same_kind(entry->target.desc(), desc)) continue;
         entry->is_taken = true;
         entry->idle_frames = 0;
+        taken_.push_back(entry.get());
         return entry->target;
     }
     auto entry = std::make_unique<Entry>();
     entry->target = GpuTarget(desc);
     entry->is_taken = true;
     entries_.push_back(std::move(entry));
+    taken_.push_back(entries_.back().get());
     return entries_.back()->target;
+}
+
+void TargetPool::free_since(std::size_t taken_count)
+{
+    while (taken_.size() > taken_count) {
+        taken_.back()->is_taken = false;
+        taken_.pop_back();
+    }
 }
 
 void TargetPool::end_frame()
 {
-    std::erase_if(entries_, [](const std::unique_ptr<Entry>& entry) {
-        return !entry->is_taken && ++entry->idle_frames > kIdleFramesKept;
-    });
-    for (const std::unique_ptr<Entry>& entry : entries_) entry->is_taken = false;
+    free_since(0);
+    std::erase_if(entries_, [](const std::unique_ptr<Entry>& entry) { return ++entry->idle_frames > kIdleFramesKept; });
 }
 
 }  // namespace hw

@@ -12,6 +12,10 @@ class TargetPool {
  public:
     /// A target of this kind that nobody uses in this frame; content undefined. Throws hw::Error, Fault::device.
     GpuTarget& take(const GpuTargetDesc& desc);
+    /// How many targets are taken, for free_since().
+    std::size_t taken_count() const { return taken_.size(); }
+    /// Frees the targets that were taken when so many were: a part of the frame is over.
+    void free_since(std::size_t taken_count);
     /// Ends the frame: all targets are free again; those unused for some frames go.
     void end_frame();
 
@@ -22,6 +26,7 @@ class TargetPool {
         int idle_frames = 0;
     };
     std::vector<std::unique_ptr<Entry>> entries_;
+    std::vector<Entry*> taken_;  ///< In the order of take().
 };
 
 }  // namespace hw

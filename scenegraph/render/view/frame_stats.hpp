@@ -8,11 +8,12 @@ namespace hw {
 /// load().
 struct FrameStats {
     // Visibility.
-    int leaves_visible = 0;  ///< 0 when no visibility is used.
+    int leaves_visible = 0;  ///< From the eye; 0 when no visibility is used.
     int leaves_total = 0;
-    int objects_visible = 0;
+    int objects_visible = 0;  ///< From the eye.
     int objects_total = 0;
-    // Work of this frame.
+    // Work of this frame, what mirrors show included.
+    int mirror_views = 0;           ///< Views of mirrors that were drawn, those within others counted, too.
     std::uint64_t faces_drawn = 0;  ///< Triangles of objects that the camera's passes draw, each once.
     std::uint64_t triangles = 0;    ///< Sent to the device, each pass counted: also shadows, questions, lines as quads.
     std::uint64_t lines = 0;        ///< Line segments sent to the device, as lines or as quads.

@@ -11,6 +11,7 @@
 #include "hatchway/drawing/styled_object.hpp"
 #include "hatchway/geometry/mesh_chunks.hpp"
 #include "hatchway/maps/map_levels.hpp"
+#include "hatchway/world/mirrors.hpp"
 
 namespace hw {
 
@@ -37,6 +38,8 @@ struct SceneInput {
     float exposure_ev = 0.0f;  ///< EV 100; the picture is scaled by 1 / (1.2 * 2^EV).
     glm::vec3 background_srgb{1.0f};
     ImagePassSource image_passes;
+    std::vector<Mirror> mirrors;
+    int mirror_depth = 2;  ///< How many mirrors a line of sight is followed through.
 };
 
 }  // namespace hw

@@ -13,11 +13,17 @@ namespace {
 
 using Planes = std::array<glm::dvec4, 6>;
 
-/// The frustum's planes in object space, pointing inward, from the rows of the matrix (Gribb and Hartmann 2001).
-Planes frustum_planes(const glm::mat4& clip_from_object)
+/// The planes of the frustum through a window of the picture, in object space, pointing inward, from the rows of the
+/// matrix (Gribb and Hartmann 2001).
+Planes frustum_planes(const glm::mat4& clip_from_object, const PictureWindow& window)
 {
     const glm::dmat4 m = glm::transpose(glm::dmat4(clip_from_object));
-    return {m[3] + m[0], m[3] - m[0], m[3] + m[1], m[3] - m[1], m[3] + m[2], m[3] - m[2]};
+    return {m[0] - window.min.x * m[3],
+            window.max.x * m[3] - m[0],
+            m[1] - window.min.y * m[3],
+            window.max.y * m[3] - m[1],
+            m[3] + m[2],
+            m[3] - m[2]};
 }
 
 bool is_outside(const Box& box, const Planes& planes)
@@ -113,14 +119,17 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
     const Scene& scene = *query.scene;
     std::vector<std::uint8_t> seen;
     // A parallel projection is seen from a whole plane, not from a place whose sight is known: the frustum alone
-    // decides.
+    // decides. What a mirror shows of it is seen from the mirror all the same, but one rule is enough.
     const Visibility* const visibility = view.is_orthographic() ? nullptr : query.visibility;
-    if (visibility != nullptr) {
+    if (visibility != nullptr && query.mirror != nullptr) {
+        chunks_before_pane(*visibility, query.mirror->outline_world, seen);
+    } else if (visibility != nullptr) {
         visible_chunks(*visibility, view.eye_world, near_radius(view), seen);
         result.leaves_visible = visible_leaf_count(*visibility, view.eye_world, near_radius(view));
     }
     for (ObjectId id = 0; id < scene.objects.size(); ++id) {
         if (!query.left_out.empty() && query.left_out[id] != 0) continue;
+        if (query.mirror != nullptr && query.mirror->object == id) continue;
         const int mesh = scene.objects[id].mesh;
         std::span<const std::uint8_t> seen_chunks;
         if (visibility != nullptr) {
@@ -131,7 +140,7 @@ void find_visible(const VisibilityQuery& query, const View& view, VisibleSet& re
         }
         VisibleObject item = place_object(scene, id, view);
         item.first_range = static_cast<std::uint32_t>(result.ranges.size());
-        const Planes planes = frustum_planes(item.clip_from_object);
+        const Planes planes = frustum_planes(item.clip_from_object, query.window);
         if (is_outside(query.mesh_bounds[mesh], planes)) continue;
         if (query.chunks.empty())
             add_range(result, item, {0, static_cast<std::uint32_t>(scene.meshes[mesh].indices.size())});

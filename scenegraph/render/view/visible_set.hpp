@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hatchway/geometry/mesh_chunks.hpp"
+#include "hatchway/render/view/mirror_view.hpp"
 #include "hatchway/style/view.hpp"
 #include "hatchway/world/scene.hpp"
 
@@ -51,6 +52,8 @@ struct VisibilityQuery {
     std::span<const Box> mesh_bounds;        ///< Of each mesh, object space.
     const Visibility* visibility = nullptr;  ///< Null: everything.
     std::span<const std::uint8_t> left_out;  ///< 1 for each object that is not drawn anyway; empty: none is.
+    const Mirror* mirror = nullptr;          ///< That shows the view: left out, and the PVS is that of its leaves.
+    PictureWindow window = {};               ///< The part of the picture that is drawn.
 };
 
 /// Objects whose chunks the PVS and the frustum leave; in a parallel projection the frustum alone. An object's place in

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <glm/common.hpp>
 #include <limits>
@@ -140,22 +141,52 @@ void note_coarse(const PvsResult& pvs, const PortalGraph& graph, const BspTree& 
         tree.bounds_world, stats);
 }
 
-/// The union of the rows (of clusters or of slots) that an eye needs; empty where it sees everything.
-std::vector<std::uint64_t> union_of_rows(const Visibility& visibility, const LeafRows& rows,
-                                         const glm::dvec3& eye_world, double radius_m)
+/// The union of the rows (of clusters or of slots) of leaves, but for solid ones: what is solid shows nothing to an eye
+/// outside of it, its faces look the other way.
+std::vector<std::uint64_t> union_of_rows(const BspTree& tree, const LeafRows& rows, std::span<const int> leaves)
 {
-    const BspTree& tree = visibility.tree;
-    const std::vector<int> leaves = leaves_near(tree, eye_world, radius_m);
-    const int own = leaf_at(tree, eye_world);
-    if (leaves.empty() || own < 0 || tree.is_solid[static_cast<std::size_t>(own)]) return {};
     std::vector<std::uint64_t> seen(rows.row(0).size());
     for (const int leaf : leaves) {
-        // What is solid shows nothing to an eye outside of it: its faces look the other way.
         if (tree.is_solid[static_cast<std::size_t>(leaf)]) continue;
         const auto row = rows.row(tree.cluster_of_leaf[static_cast<std::size_t>(leaf)]);
         for (std::size_t word = 0; word < seen.size(); ++word) seen[word] |= row[word];
     }
     return seen;
+}
+
+/// The leaves that an eye needs; none where it sees everything.
+std::vector<int> leaves_of_eye(const BspTree& tree, const glm::dvec3& eye_world, double radius_m)
+{
+    std::vector<int> leaves = leaves_near(tree, eye_world, radius_m);
+    const int own = leaf_at(tree, eye_world);
+    if (own < 0 || tree.is_solid[static_cast<std::size_t>(own)]) leaves.clear();
+    return leaves;
+}
+
+/// The leaves that a pane touches; none where it reaches out of the tree's box or lies in walls alone.
+std::vector<int> leaves_of_pane(const BspTree& tree, std::span<const glm::dvec3> outline_world)
+{
+    // The structure was snapped to the grid, the pane was not.
+    const double slack_m = 2.0 * tree.grid.step_m;
+    std::vector<int> leaves;
+    for (const glm::dvec3& corner : outline_world)
+        if (leaf_at(tree, corner) < 0) return {};
+    for (std::size_t i = 2; i < outline_world.size(); ++i) {
+        const std::array triangle{outline_world[0], outline_world[i - 1], outline_world[i]};
+        leaves_of_polygon(tree, triangle, glm::dvec3(0.0), slack_m, leaves);
+    }
+    const bool is_in_walls =
+        std::ranges::all_of(leaves, [&](int leaf) { return tree.is_solid[static_cast<std::size_t>(leaf)] != 0; });
+    if (is_in_walls) leaves.clear();
+    return leaves;
+}
+
+void mark_chunks(const Visibility& visibility, std::span<const int> leaves, std::vector<std::uint8_t>& is_visible)
+{
+    is_visible.assign(visibility.slots.size(), leaves.empty() ? 1 : 0);
+    if (leaves.empty()) return;
+    visit_bits(union_of_rows(visibility.tree, visibility.slot_rows, leaves),
+               [&](int slot) { is_visible[static_cast<std::size_t>(slot)] = 1; });
 }
 
 }  // namespace
@@ -249,17 +280,22 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
 void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m,
                     std::vector<std::uint8_t>& is_visible_by_chunk_slot)
 {
-    const auto seen = union_of_rows(visibility, visibility.slot_rows, eye_world, near_radius_m);
-    is_visible_by_chunk_slot.assign(visibility.slots.size(), seen.empty() ? 1 : 0);
-    visit_bits(seen, [&](int slot) { is_visible_by_chunk_slot[static_cast<std::size_t>(slot)] = 1; });
+    mark_chunks(visibility, leaves_of_eye(visibility.tree, eye_world, near_radius_m), is_visible_by_chunk_slot);
+}
+
+void chunks_before_pane(const Visibility& visibility, std::span<const glm::dvec3> outline_world,
+                        std::vector<std::uint8_t>& is_visible_by_chunk_slot)
+{
+    mark_chunks(visibility, leaves_of_pane(visibility.tree, outline_world), is_visible_by_chunk_slot);
 }
 
 int visible_leaf_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m)
 {
-    const auto seen = union_of_rows(visibility, visibility.rows, eye_world, near_radius_m);
-    if (seen.empty()) return visibility.tree.cluster_count;
+    const std::vector<int> leaves = leaves_of_eye(visibility.tree, eye_world, near_radius_m);
+    if (leaves.empty()) return visibility.tree.cluster_count;
     int count = 0;
-    for (const std::uint64_t word : seen) count += __builtin_popcountll(word);
+    for (const std::uint64_t word : union_of_rows(visibility.tree, visibility.rows, leaves))
+        count += __builtin_popcountll(word);
     return count;
 }
 

@@ -79,6 +79,11 @@ Visibility build_visibility(const Scene& scene, const Level& level, std::span<co
 void visible_chunks(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m,
                     std::vector<std::uint8_t>& is_visible_by_chunk_slot);
 
+/// The same for what is seen from any place of a flat convex pane, such as what a mirror shows: the rows of all leaves
+/// that it touches. A pane that reaches out of the compiled box, or lies in walls alone, sees everything.
+void chunks_before_pane(const Visibility& visibility, std::span<const glm::dvec3> outline_world,
+                        std::vector<std::uint8_t>& is_visible_by_chunk_slot);
+
 /// Clusters (merged leaves) in the union of the rows that visible_chunks() reads at that place, for statistics.
 int visible_leaf_count(const Visibility& visibility, const glm::dvec3& eye_world, double near_radius_m);
 

@@ -218,6 +218,15 @@ TEST(level_file, every_wrong_value_is_named_by_its_pointer)
         {R"("lights": [{"type": "spot", "position": [0, 0, 0], "direction": [1, 0, 0], "intensity_cd": 1,
                         "inner_cone_deg": 50}])",
          "/lights/0/inner_cone_deg"},
+        {R"("mirrors": {"nodes": "*"})", "/mirrors"},
+        {R"("mirrors": [{"reflectance": 0.5}])", "/mirrors/0"},
+        {R"("mirrors": [{"nodes": "*", "reflectance": 1.5}])", "/mirrors/0/reflectance"},
+        {R"("mirrors": [{"nodes": "*", "tint": "red"}])", "/mirrors/0/tint"},
+        {R"("mirrors": [{"nodes": "*", "colour": "#ffffff"}])", "/mirrors/0/colour"},
+        {R"("mirror_depth": 0)", "/mirror_depth"},
+        {R"("mirror_depth": 5)", "/mirror_depth"},
+        {R"("mirror_depth": 1.5)", "/mirror_depth"},
+        {R"("mirror_depth": "2")", "/mirror_depth"},
     };
     for (const auto& [keys, pointer] : cases) {
         SCOPED_TRACE(keys);
@@ -225,6 +234,21 @@ TEST(level_file, every_wrong_value_is_named_by_its_pointer)
         EXPECT_EQ(parts.pointer, pointer);
         EXPECT_FALSE(parts.expected.empty());
     }
+}
+
+TEST(level_file, mirrors_have_nodes_a_share_and_a_tint)
+{
+    EXPECT_EQ(level_of("").mirror_depth, 2);
+    const hw::Level level = level_of(R"("mirror_depth": 4, "mirrors": [
+        {"nodes": "Hall/Mirror_*"}, {"nodes": "#3", "reflectance": 0.25, "tint": "#ff0000"}])");
+    EXPECT_EQ(level.mirror_depth, 4);
+    ASSERT_EQ(level.mirrors.size(), 2u);
+    EXPECT_EQ(level.mirrors[0].nodes, "Hall/Mirror_*");
+    EXPECT_EQ(level.mirrors[0].reflectance, 0.9);
+    EXPECT_EQ(level.mirrors[0].tint_linear, glm::vec3(1.0f));
+    EXPECT_EQ(level.mirrors[1].pointer, "/mirrors/1");
+    EXPECT_EQ(level.mirrors[1].reflectance, 0.25);
+    EXPECT_EQ(level.mirrors[1].tint_linear, glm::vec3(1.0f, 0.0f, 0.0f));
 }
 
 TEST(level_file, a_style_that_is_like_another_has_its_plugin_and_what_it_does_not_state_itself)

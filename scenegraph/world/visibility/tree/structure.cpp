@@ -10,27 +10,13 @@
 
 #include "hatchway/core/budget.hpp"
 #include "hatchway/core/error.hpp"
-#include "hatchway/core/glob.hpp"
+#include "hatchway/world/named_nodes.hpp"
 #include "hatchway/world/open_backs.hpp"
 #include "hatchway/world/visibility/tree/coplanar.hpp"
 #include "hatchway/world/visibility/tree/large_planes.hpp"
 
 namespace hw {
 namespace {
-
-/// Marks the nodes that a glob, or "#12", names. Whether there is one.
-bool mark_named(const std::string& pattern, const Scene& scene, std::uint64_t& steps_left, std::vector<char>& is_named)
-{
-    const Glob glob(pattern);
-    bool is_used = false;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        const bool is_number = pattern[0] == '#' && pattern == fmt::format("#{}", i);
-        if (!is_number && !glob.matches(scene.nodes[i].path, steps_left)) continue;
-        is_named[i] = 1;
-        is_used = true;
-    }
-    return is_used;
-}
 
 /// Shows each triangle that may block sight: opaque and static ones. Of more than kMostShown only the objects with the
 /// fewest.
@@ -254,23 +240,9 @@ std::vector<char> structure_nodes(const Scene& scene, const Level& level)
     std::vector<char> result(scene.nodes.size(), 0);
     if (!level.structure) return result;
     Budget budget;
-    for (std::size_t entry = 0; entry < level.structure->size(); ++entry) {
-        const std::string pointer = fmt::format("/structure/{}", entry);
-        budget.spend(Cost::rule_steps, scene.nodes.size(), level.file.string(), pointer);
-        const std::uint64_t allowed = budget.left(Cost::rule_steps);
-        std::uint64_t left = allowed;
-        const bool is_used = mark_named((*level.structure)[entry], scene, left, result);
-        budget.spend(Cost::rule_steps, left == 0 ? allowed + 1 : allowed - left, level.file.string(), pointer);
-        if (is_used) continue;
-        throw Error({.what = fmt::format("\"{}\" names no node", (*level.structure)[entry]),
-                     .file = level.file.string(),
-                     .pointer = pointer,
-                     .expected = "a path glob of nodes of the scene"});
-    }
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        const int parent = scene.nodes[i].parent;
-        if (parent != kNone && result[static_cast<std::size_t>(parent)]) result[i] = 1;
-    }
+    for (std::size_t entry = 0; entry < level.structure->size(); ++entry)
+        mark_named_nodes(scene, {(*level.structure)[entry], level.file.string(), fmt::format("/structure/{}", entry)},
+                         budget, result);
     return result;
 }
 
