@@ -290,7 +290,9 @@ TEST(mirrors, show_in_every_style_what_the_room_built_once_more_behind_the_wall_
             EXPECT_EQ(built.stats.mirror_views, 0);
             EXPECT_EQ(mirrored.stats.mirror_views, 1);
             EXPECT_GT(unlike(built.picture, blind.picture, outline_px), 8000) << "the mirror is seen";
-            EXPECT_LT(unlike(built.picture, mirrored.picture, outline_px), 30) << style << ' ' << name;
+            // Lines from images of what stands before the mirror know what is behind it: the pane, or something
+            // farther.
+            EXPECT_LT(unlike(built.picture, mirrored.picture, outline_px), 80) << style << ' ' << name;
         }
     }
 }
