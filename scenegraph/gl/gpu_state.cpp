@@ -63,6 +63,7 @@ void GpuState::forget()
     glBindVertexArray(0);
     if (epoxy_is_desktop_gl()) glEnable(GL_PROGRAM_POINT_SIZE);
     set_srgb_targets(true);
+    set_scissor({});
     glDisable(GL_DITHER);
 }
 
@@ -70,6 +71,12 @@ void GpuState::set_srgb_targets(bool is_on)
 {
     // Targets in sRGB are drawn and blended in linear light; ES always does so.
     if (epoxy_is_desktop_gl()) enable(GL_FRAMEBUFFER_SRGB, is_on);
+}
+
+void GpuState::set_scissor(const std::optional<PixelRect>& rect)
+{
+    enable(GL_SCISSOR_TEST, rect.has_value());
+    if (rect) glScissor(rect->min.x, rect->min.y, rect->size.x, rect->size.y);
 }
 
 void GpuState::apply(const PipelineState& state)

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
 
 #include "hatchway/gl/gpu_buffer.hpp"
 #include "hatchway/gl/gpu_program.hpp"
@@ -30,6 +32,12 @@ struct PipelineState {
     bool operator==(const PipelineState&) const = default;
 };
 
+/// A part of a target, from its lower left corner.
+struct PixelRect {
+    glm::ivec2 min{0};
+    glm::ivec2 size{0};
+};
+
 /// Counts of what reached the device.
 struct GpuCounters {
     int state_changes = 0;
@@ -47,6 +55,8 @@ class GpuState {
     void forget();
     /// Off for a window, which stores what it is given; on by default. ES knows no windows here.
     void set_srgb_targets(bool is_on);
+    /// Nothing is drawn, cleared or resolved outside of it. None: the whole target.
+    void set_scissor(const std::optional<PixelRect>& rect);
     void apply(const PipelineState& state);
     void use(const GpuProgram& program);
     void bind(const GpuVertexArray& array);

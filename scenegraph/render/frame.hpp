@@ -34,11 +34,12 @@ struct FrameView {
     const View& camera;
     const glm::dvec3& viewer_world;  ///< The eye of the frame, whichever mirror this view is of: shadows go by it.
     const FrameOptions& options;
-    GpuTarget& picture;               ///< Size of the camera's; multisampled when the options say so.
-    VisibleSet visible;               ///< What may be seen from the camera.
-    FramePlan plan;                   ///< Which style draws what of `visible`.
-    std::vector<WantedImage> images;  ///< What the styles of `visible` need, in the order of making.
-    bool is_deep = false;             ///< So many faces lie over each other that it pays to ask which are seen.
+    GpuTarget& picture;                ///< Size of the camera's; multisampled when the options say so.
+    VisibleSet visible;                ///< What may be seen from the camera.
+    FramePlan plan;                    ///< Which style draws what of `visible`.
+    std::vector<WantedImage> images;   ///< What the styles of `visible` need, in the order of making.
+    std::optional<PixelRect> scissor;  ///< The part of the picture that is drawn; none: all of it.
+    bool is_deep = false;              ///< So many faces lie over each other that it pays to ask which are seen.
 };
 
 /// What the phases leave for those after them. Textures belong to the device's pool and live as long as the frame.

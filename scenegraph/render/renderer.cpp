@@ -42,6 +42,13 @@ GpuTargetDesc picture_desc(glm::ivec2 size_px, int samples)
     return {.size_px = size_px, .colours = {{TextureFormat::srgb8_alpha8}}, .samples = samples};
 }
 
+PixelRect pixels_of(const PictureWindow& window, glm::ivec2 size_px)
+{
+    const glm::ivec2 low(glm::floor((window.min * 0.5 + 0.5) * glm::dvec2(size_px)));
+    const glm::ivec2 high(glm::ceil((window.max * 0.5 + 0.5) * glm::dvec2(size_px)));
+    return {low, high - low};
+}
+
 bool has_changing_presence(const Frame& frame)
 {
     return std::ranges::any_of(frame.view.visible.objects, [&](const VisibleObject& visible) {
@@ -64,6 +71,7 @@ void draw_phases(const Frame& frame, FrameRun& run, const ImageKey* shown)
 {
     draw_products(frame);
     run.clock.end_phase(run.stats.products_ms);
+    frame.device.state.set_scissor(frame.view.scissor);
     draw_images(frame);
     run.clock.end_phase(run.stats.images_ms);
     draw_surfaces(frame);
@@ -248,11 +256,20 @@ void Renderer::State::draw_view(FrameRun& run, const Sight& sight, GpuTarget& sh
     FrameResults results{.reflections = draw_mirrors(run, sight, visible)};
     const int samples = options.samples;
     GpuTarget& target = samples > 1 ? device.pool.take(picture_desc(sight.camera.size_px, samples)) : shown;
-    FrameView view{sight.camera,       run.viewer_world, options,           target,
-                   std::move(visible), std::move(plan),  std::move(images), cost.is_deep()};
+    FrameView view{.camera = sight.camera,
+                   .viewer_world = run.viewer_world,
+                   .options = options,
+                   .picture = target,
+                   .visible = std::move(visible),
+                   .plan = std::move(plan),
+                   .images = std::move(images),
+                   .scissor = {},
+                   .is_deep = cost.is_deep()};
+    if (!is_camera) view.scissor = pixels_of(sight.window, sight.camera.size_px);
     const Frame frame{view, *scene, device, results};
     draw_phases(frame, run, shown_image);
     if (samples > 1) target.resolve_into(shown);
+    device.state.set_scissor({});
     run.clock.end_phase(run.stats.resolve_ms);
     count_view(run, frame, is_camera);
     if (is_camera) images_of_frame = std::move(results.images);

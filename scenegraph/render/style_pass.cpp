@@ -83,14 +83,23 @@ GpuTarget* StylePass::transient(const TargetDesc& target, bool has_depth)
         ++frame_.results.transient_targets;
         made.bind();
         frame_.device.state.apply({});
+        // All is cleared: filters look around.
+        frame_.device.state.set_scissor({});
         for (std::size_t i = 0; i < target.outputs.size(); ++i)
             made.clear_colour(static_cast<int>(i), target.outputs[i].clear);
         made.clear_depth();
+        if (desc.size_px == frame_.view.camera.size_px) frame_.device.state.set_scissor(frame_.view.scissor);
         return &made;
     } catch (const Error& error) {
         frame_.device.tell_once(error.what());
         return nullptr;
     }
+}
+
+void StylePass::return_to_picture() const
+{
+    frame_.view.picture.bind();
+    frame_.device.state.set_scissor(frame_.view.scissor);
 }
 
 Images StylePass::render(const TargetDesc& target, Program program, const Uniforms& uniforms, Items items)
@@ -102,7 +111,7 @@ Images StylePass::render(const TargetDesc& target, Program program, const Unifor
     if (target.depth == TargetDepth::own) draw_faces_depth_first(frame_, call);
     if (target.depth == TargetDepth::scene) draw_faces_in_scene(frame_, call);
     if (target.depth == TargetDepth::none) draw_faces(frame_, call, {.depth_test = DepthTest::off});
-    frame_.view.picture.bind();
+    return_to_picture();
     return images_of(*made, target);
 }
 
@@ -114,7 +123,7 @@ Images StylePass::filter(const TargetDesc& target, Program program, const Unifor
     GpuTarget* made = transient(target, false);
     if (made == nullptr) return {};
     draw_full_screen(frame_.device, linked->gpu, uniforms);
-    frame_.view.picture.bind();
+    return_to_picture();
     return images_of(*made, target);
 }
 

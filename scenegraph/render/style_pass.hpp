@@ -47,6 +47,8 @@ class StylePass final : public Pass {
     std::vector<DrawItem> of_this_frame(Items items) const;
     /// Null when the device has no such target.
     GpuTarget* transient(const TargetDesc& target, bool has_depth);
+    /// After a pass into transient targets.
+    void return_to_picture() const;
     /// In a rehearsal: which uniforms go nowhere.
     void remark_unheard(Program program, const Uniforms& uniforms) const;
     FaceCall call_of(Program program, const Uniforms& uniforms, Items items) const;
