@@ -670,6 +670,8 @@ def readme_pictures(studio):
     outside = studio.render(hall_in("photoreal"), "--camera", "courtyard", size="960x600")
     write_png(os.path.join(pages, "photoreal", "photoreal.png"), outside)
     write_png(os.path.join(pictures, "eight_styles.png"), eight_styles(studio))
+    mirrors = os.path.join(ROOT, "content", "levels", "mirrors.level.json")
+    write_png(os.path.join(pictures, "mirrors.png"), studio.render(mirrors, "--camera", "west", size="1200x750"))
     pages_of_lines(studio)
 
 
