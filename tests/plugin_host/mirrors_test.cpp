@@ -175,12 +175,13 @@ struct HowDrawn {
     double reflectance = 1.0;
     glm::vec3 tint{1.0f};
     bool with_pvs = false;
+    bool is_es = false;
     FrameOptions options = {};
 };
 
 Drawn drawn(const Room& room, const CameraPlace& camera, const HowDrawn& how = {})
 {
-    const auto context = make_headless_context();
+    const auto context = make_headless_context({.is_es = how.is_es});
     Renderer renderer(*context);
     StyleSet set(test_registry(),
                  [&](const std::filesystem::path& folder) -> ProgramCache& { return renderer.program_cache(folder); });
@@ -294,6 +295,14 @@ TEST(mirrors, show_in_every_style_what_the_room_built_once_more_behind_the_wall_
             // farther.
             EXPECT_LT(unlike(built.picture, mirrored.picture, outline_px), 80) << style << ' ' << name;
         }
+    }
+}
+
+TEST(mirrors, show_the_same_by_opengl_es)
+{
+    for (const char* style : {"photoreal", "pen_and_ink", "technical"}) {
+        const Drawn es = drawn(room_with_mirror(), kBefore, {.style = style, .is_es = true});
+        EXPECT_LT(unlike(es.picture, drawn(room_with_mirror(), kBefore, {.style = style}).picture), 80) << style;
     }
 }
 
