@@ -691,6 +691,12 @@ MODELS = {"teapot": teapot, "dungeon": dungeon, "2011_3": outlines, "2011_4": ou
           "2011_6": lambda studio, model: outlines(studio, model, "--eye", "26,17,30", "--target", "8,-4,8", "--fov-deg", "30")}
 
 
+def figure_file(name):
+    """Of the papers of 2003 and 2011, which are about edges in images, in a folder of their own."""
+    folder = "edge_images" if name.startswith("20") else ""
+    return os.path.join(FIGURES, folder, f"figure_{name}.png")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="+", choices=[*OURS, *MODELS, "controls", "readme", "all"])
@@ -708,10 +714,10 @@ def main():
             elif name in MODELS:
                 if not arguments.model:
                     parser.error(f"{name} needs --model FILE.glb")
-                file = os.path.join(FIGURES, f"figure_{name}.png") if name[0].isdigit() else os.path.join(ROOT, "docs", "pictures", f"{name}.png")
+                file = figure_file(name) if name[0].isdigit() else os.path.join(ROOT, "docs", "pictures", f"{name}.png")
                 write_png(file, MODELS[name](studio, arguments.model))
             else:
-                write_png(os.path.join(FIGURES, f"figure_{name}.png"), OURS[name](studio))
+                write_png(figure_file(name), OURS[name](studio))
         finally:
             studio.close()
 

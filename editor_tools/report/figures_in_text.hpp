@@ -11,8 +11,8 @@ namespace hw {
 ///
 /// NAME.json in `report` is a result as `hatchway measure ... --json` writes it; "NAME.PART" takes the rows of its
 /// array PART instead of "rows". The row is the first whose columns have these texts; without any, the figure is one of
-/// the plain members. With "max" or "min" it is the largest or the smallest of that column in all rows that have the texts. FACTOR multiplies
-/// it, FORMAT is that of a number, such as ".2f".
+/// the plain members. With "max" or "min" it is the largest or the smallest of that column in all rows that have the
+/// texts. FACTOR multiplies it, FORMAT is that of a number, such as ".2f".
 ///
 /// Where the result has null there, since nothing was measured, the figure is a dash.
 ///

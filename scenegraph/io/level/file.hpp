@@ -19,8 +19,8 @@ Level parse_level(const std::string& text, const std::filesystem::path& file);
 /// The nearest folder above `file` that holds a `hatchway.project` file or a `.git`; empty where there is none.
 std::filesystem::path marked_project(const std::filesystem::path& file);
 
-/// The folder that no path of a level or model leaves: marked_project(); else, when the file lies in a folder named `levels`,
-/// that folder's parent; else the file's own folder.
+/// The folder that no path of a level or model leaves: marked_project(); else, when the file lies in a folder named
+/// `levels`, that folder's parent; else the file's own folder.
 std::filesystem::path find_project_root(const std::filesystem::path& file);
 
 }  // namespace hw

@@ -129,8 +129,9 @@ TEST(report_program, a_figure_that_was_typed_is_replaced)
 TEST(report_program, a_page_can_tell_the_worst_of_all_rows)
 {
     const ReportFolder report;
-    report.folder().write("pages/a.md", "<!--@lines path=quads: max missed x100 .3f-->0<!--@-->\n"
-                                       "<!--@lines path=quads: min width_p5 .3f-->0<!--@-->\n");
+    report.folder().write("pages/a.md",
+                          "<!--@lines path=quads: max missed x100 .3f-->0<!--@-->\n"
+                          "<!--@lines path=quads: min width_p5 .3f-->0<!--@-->\n");
     ASSERT_EQ(report.fill().exit_code, 0);
     double worst = 0.0, narrowest = 1e9;
     const auto lines = nlohmann::json::parse(bytes_of(kDocs / "report/results/lines.json"));
