@@ -38,10 +38,23 @@ std::vector<EdgeDemand> demands_of(const std::vector<ObjectPens>& pens)
     return demands;
 }
 
+/// Seams and intersections are looked for in all instances: first of all is asked whether they fit.
+const Scene& with_room(const Scene& scene)
+{
+    std::uint64_t positions = 0, faces = 0;
+    for (const Object& object : scene.objects) {
+        const MeshData& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
+        positions += mesh.positions.size();
+        faces += mesh.indices.size() / 3;
+    }
+    require_line_room(positions, faces);
+    return scene;
+}
+
 }  // namespace
 
 LevelLines::LevelLines(const Scene& scene, std::vector<ObjectPens> pens, std::optional<float> crease_rad)
-    : scene_(scene),
+    : scene_(with_room(scene)),
       surfaces_(scene),
       pens_(with_crease(std::move(pens), crease_rad)),
       extras_(find_line_extras(scene, demands_of(pens_), surfaces_))
@@ -54,7 +67,7 @@ LevelLines::LevelLines(const Scene& scene, std::vector<ObjectPens> pens, std::op
 }
 
 LevelLines::LevelLines(const Scene& scene, const OnePen& pen)
-    : scene_(scene),
+    : scene_(with_room(scene)),
       surfaces_(scene),
       pens_(paper_pens(scene.objects.size(), pen)),
       extras_(find_intersection_extras(scene, demands_of(pens_), surfaces_))

@@ -206,22 +206,23 @@ std::vector<VisibleLine> joined_lines(std::vector<LinePart> parts, const HiddenL
     return lines;
 }
 
-/// Before anything is allocated.
-void require_room(std::span<const LineObject> objects)
+}  // namespace
+
+void require_line_room(std::uint64_t positions, std::uint64_t faces)
 {
     constexpr std::uint64_t kBytesOfPosition = 48, kBytesOfFace = 120;
-    std::uint64_t bytes = 0;
-    for (const LineObject& object : objects)
-        bytes += kBytesOfPosition * object.surface->positions.size() + kBytesOfFace * object.surface->faces.size();
-    Budget().require(Cost::line_bytes, bytes, "", "");
+    Budget().require(Cost::line_bytes, kBytesOfPosition * positions + kBytesOfFace * faces, "", "");
 }
-
-}  // namespace
 
 std::vector<VisibleLine> find_visible_lines(std::span<const LineObject> objects, const LineCamera& camera,
                                             const VisibleLineOptions& options)
 {
-    require_room(objects);
+    std::uint64_t positions = 0, faces = 0;
+    for (const LineObject& object : objects) {
+        positions += object.surface->positions.size();
+        faces += object.surface->faces.size();
+    }
+    require_line_room(positions, faces);
     const ImageSpace space(camera);
     const HiddenLines hidden(gather_lines(objects, space, options), space);
     return joined_lines(hidden.run(), hidden, options.with_hidden);

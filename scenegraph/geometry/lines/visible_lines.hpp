@@ -77,6 +77,10 @@ struct VisibleLine {
     std::vector<LineSource> sources;  ///< Of each segment, the closing one included.
 };
 
+/// Throws hw::Error where a drawing of objects with so many positions and faces in all, instances counted each time,
+/// would hold more than its budget. Asked before anything of that size is allocated.
+void require_line_room(std::uint64_t positions, std::uint64_t faces);
+
 /// Hidden-line removal on the meshes themselves, not on pixels. Every line is cut where its visibility can change:
 /// where it crosses a silhouette or a border in the picture, and where it goes through a face. Of each piece the middle
 /// is tested against all faces before it: exactly within a component of an object, between components and objects

@@ -328,6 +328,13 @@ TEST_F(endless, lines_of_objects_at_one_place)
     expect_ends(lines_of(model(box(0.5f), json(static_cast<std::size_t>(whole_or(700, 2000)), {{"mesh", 0}}))));
 }
 
+TEST_F(endless, lines_of_a_fine_mesh_that_nodes_repeat)
+{
+    Triangles triangles;
+    for (int i = 0; i < 1500; ++i) add_box(triangles, glm::vec3(static_cast<float>(i)), 0.4f);
+    expect_message(lines_of(model(triangles, json(2000, {{"mesh", 0}}))), "--budget-factor");
+}
+
 TEST_F(endless, a_rehearsal_of_boxes_at_one_place)
 {
     const ProgramResult checked = run({"check", model(box(0.5f), json(5000, {{"mesh", 0}}))}, kQuickLimits);
